@@ -1,0 +1,54 @@
+#include "base/diagnostics.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace lray {
+
+Diagnostic& Diagnostics::error(Code code, Span span, std::string message) {
+    return report(Severity::error, code, span, std::move(message));
+}
+
+Diagnostic& Diagnostics::warning(Code code, Span span, std::string message) {
+    return report(Severity::warning, code, span, std::move(message));
+}
+
+Diagnostic& Diagnostics::report(Severity severity, Code code, Span span, std::string message) {
+    const bool is_kept = diagnostics_.size() < kMaxKept;
+    // Nowhere is no place: such reports are never merged by it.
+    if (!span.is_nowhere() && is_kept) {
+        const std::uint64_t place = std::uint64_t{span.source} << 32 | span.offset;
+        const auto [entry, is_new] = by_place_.try_emplace({severity, place}, diagnostics_.size());
+        if (!is_new) {
+            Diagnostic& first = diagnostics_[entry->second];
+            if (first.code == code && first.message == message) ++first.count;
+            dropped_ = Diagnostic{};
+            return dropped_;
+        }
+    }
+    ++(severity == Severity::error ? error_count_ : warning_count_);
+    has_limit_errors_ = has_limit_errors_ || (severity == Severity::error && is_limit(code));
+    if (!is_kept) {
+        dropped_ = Diagnostic{};
+        return dropped_;
+    }
+    Diagnostic diagnostic;
+    diagnostic.severity = severity;
+    diagnostic.code = code;
+    diagnostic.span = span;
+    diagnostic.message = std::move(message);
+    diagnostics_.push_back(std::move(diagnostic));
+    return diagnostics_.back();
+}
+
+std::vector<const Diagnostic*> Diagnostics::sorted() const {
+    std::vector<const Diagnostic*> result;
+    result.reserve(diagnostics_.size());
+    for (const Diagnostic& diagnostic : diagnostics_) result.push_back(&diagnostic);
+    std::stable_sort(result.begin(), result.end(), [](const Diagnostic* a, const Diagnostic* b) {
+        return std::tie(a->span.source, a->span.offset) < std::tie(b->span.source, b->span.offset);
+    });
+    return result;
+}
+
+}  // namespace lray

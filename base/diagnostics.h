@@ -1,0 +1,89 @@
+// Diagnostics: what is told to the user about their input. Collected here, printed by
+// base/diagnostic_printer.h; codes are explained in base/diagnostic_codes.h.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic_codes.h"
+#include "base/source.h"
+
+namespace lray {
+
+enum class Severity : std::uint8_t { error, warning };
+
+/// Another place that belongs to a diagnostic: "opened here", "first set here".
+struct Label {
+    Span span{};
+    std::string message{};
+};
+
+/// One mistake. Messages are lower case, without a full stop, and say what was found, what was
+/// expected, and the fix when it is known.
+struct Diagnostic {
+    Severity severity = Severity::error;
+    Code code{};
+    Span span{};
+    std::string message{};
+    std::string hint{};  // printed beside the carets: "did you mean `radius`?"
+    std::vector<Label> labels{};
+    std::vector<std::string> notes{};
+    std::vector<std::string> helps{};
+    std::uint32_t count = 1;  // how often the same mistake occurred in this place
+
+    Diagnostic& with_hint(std::string text) {
+        hint = std::move(text);
+        return *this;
+    }
+    Diagnostic& with_label(Span place, std::string text) {
+        labels.push_back({place, std::move(text)});
+        return *this;
+    }
+    Diagnostic& with_note(std::string text) {
+        notes.push_back(std::move(text));
+        return *this;
+    }
+    Diagnostic& with_help(std::string text) {
+        helps.push_back(std::move(text));
+        return *this;
+    }
+};
+
+/// Collects the diagnostics of a run. One error per place: a second error that begins where one
+/// was already reported is dropped, the same one again is counted. At most kMaxKept are kept, so
+/// that a hostile file cannot fill the memory with its mistakes; all are counted.
+class Diagnostics {
+ public:
+    static constexpr std::size_t kMaxKept = 10000;
+
+    /// The returned diagnostic takes hints, labels, notes and helps; the reference is valid until
+    /// the next report.
+    Diagnostic& error(Code code, Span span, std::string message);
+    Diagnostic& warning(Code code, Span span, std::string message);
+
+    std::size_t error_count() const { return error_count_; }
+    std::size_t warning_count() const { return warning_count_; }
+    bool has_errors() const { return error_count_ > 0; }
+
+    /// True if an error was a limit or memory (exit code 3).
+    bool has_limit_errors() const { return has_limit_errors_; }
+
+    /// In the order of printing: by source, then by position; a note stays with its error.
+    std::vector<const Diagnostic*> sorted() const;
+
+ private:
+    Diagnostic& report(Severity severity, Code code, Span span, std::string message);
+
+    std::vector<Diagnostic> diagnostics_;
+    std::map<std::pair<Severity, std::uint64_t>, std::size_t> by_place_;
+    Diagnostic dropped_;
+    std::size_t error_count_ = 0;
+    std::size_t warning_count_ = 0;
+    bool has_limit_errors_ = false;
+};
+
+}  // namespace lray

@@ -1,0 +1,67 @@
+// The one way to open a file for reading: access policy, size bounds, and the list of what was
+// read.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/source.h"
+
+namespace lray {
+
+enum class ReadStatus : std::uint8_t {
+    ok,
+    not_found,
+    outside,      // exists or not, it is not under any allowed directory
+    not_regular,  // a directory, device, FIFO or socket
+    too_large,
+    unreadable,  // permission or an I/O error: see `reason`
+};
+
+struct ReadResult {
+    ReadStatus status = ReadStatus::not_found;
+    std::string path{};  // as shown to the user: where it was found, or the first place searched
+    std::string directory{};  // of the file found: what is written inside it is relative to this
+    Text text{};
+    std::string reason{};                 // errno in words, for `unreadable`
+    std::vector<std::string> searched{};  // paths tried, in order
+    std::string nearest{};                // a file name in a searched directory that is close
+    bool used_backslash = false;          // `\` was read as `/` (W1603)
+    bool differs_in_case = false;         // found only by ignoring case (W1604): see `path`
+    bool is_absolute = false;             // W1605
+    std::string allow{};                  // for `outside`: the directory to name with --allow
+};
+
+/// Reads files for a scene from a stranger: only regular files under the allowed directories,
+/// decided on the descriptor (openat2 with RESOLVE_BENEATH and RESOLVE_NO_MAGICLINKS; without
+/// openat2 a component-wise walk with O_NOFOLLOW), opened with O_NONBLOCK.
+class FileAccess {
+ public:
+    /// Reads may touch this directory and all below it. Also a place where relative names are
+    /// searched if `is_searched` (-I, LRAY_PATH).
+    void allow(std::string directory, bool is_searched);
+
+    /// Reads the main file, named by the user on the command line: any place, "-" is stdin. Its
+    /// directory becomes allowed. FIFOs are accepted here.
+    ReadResult read_main(std::string_view path, std::uint64_t max_size);
+
+    /// Reads a file named inside another: relative to `from_directory`, then to each searched
+    /// directory in the order given.
+    ReadResult read(std::string_view path, std::string_view from_directory, std::uint64_t max_size);
+
+    /// Every file that was read, in order, each once.
+    std::span<const std::string> files_read() const { return files_read_; }
+
+ private:
+    struct Root {
+        std::string directory;
+        bool is_searched = false;
+    };
+    std::vector<Root> roots_;
+    std::vector<std::string> files_read_;
+};
+
+}  // namespace lray

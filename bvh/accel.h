@@ -1,0 +1,36 @@
+// The interface of every hierarchy: World -> nearest hit, any hit.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "base/ray.h"
+#include "bvh/hit.h"
+#include "scene/world.h"
+
+namespace lray::bvh {
+
+enum class AccelKind : std::uint8_t { none };
+
+/// What tracing cost, added up per ray by whoever asks for it (--stats).
+struct TraceCounts {
+    std::uint64_t rays = 0;
+    std::uint64_t primitive_tests = 0;
+};
+
+/// A built hierarchy. It refers to the World, which must outlive it. Const calls are thread-safe.
+class Accel {
+ public:
+    virtual ~Accel() = default;
+
+    /// Returns the hit with the least (t, primitive id) in the open interval.
+    virtual Hit nearest_hit(const Ray& ray, Interval interval, TraceCounts& counts) const = 0;
+
+    /// True if anything is hit in the open interval.
+    virtual bool any_hit(const Ray& ray, Interval interval, TraceCounts& counts) const = 0;
+};
+
+/// Builds a hierarchy over all visible primitives.
+std::unique_ptr<Accel> build(const scene::World& world, AccelKind kind);
+
+}  // namespace lray::bvh

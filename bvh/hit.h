@@ -1,0 +1,26 @@
+// What a ray finds, and which of two finds counts.
+#pragma once
+
+#include "base/numerics.h"
+#include "scene/world.h"
+
+namespace lray::bvh {
+
+/// t is +infinity and the id none when nothing was hit. u and v are the primitive's own surface
+/// parameters (docstring of each kernel).
+struct Hit {
+    float t = kInfinity;
+    float u = 0.0f;
+    float v = 0.0f;
+    scene::PrimitiveId primitive_id{};
+
+    bool is_none() const { return primitive_id.is_none(); }
+};
+
+/// The rule for ties: the lesser t wins, at equal t the lesser primitive id. It does not depend on
+/// the order in which primitives are tested, so every hierarchy finds the same hit.
+inline bool is_closer(const Hit& a, const Hit& b) {
+    return a.t < b.t || (a.t == b.t && a.primitive_id < b.primitive_id);
+}
+
+}  // namespace lray::bvh

@@ -1,0 +1,32 @@
+// Encodes pictures into file formats.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/output_file.h"
+#include "image/image.h"
+
+namespace lray::image {
+
+enum class Format : std::uint8_t { ppm, png };
+
+/// Returns the format of that file extension or name ("png", "ppm", any case); empty if unknown.
+std::optional<Format> find_format(std::string_view name);
+
+/// Returns the extension of a path without its dot ("a/b.png" -> "png"), empty if it has none.
+std::string_view extension(std::string_view path);
+
+/// Keyword and text, stored in the file where the format can (PNG: iTXt or tEXt).
+using Metadata = std::span<const std::pair<std::string, std::string>>;
+
+/// Writes the picture as 8-bit sRGB. The bytes depend on the arguments alone: no time, no version.
+/// Errors: false; out.error() or the returned text in `error` tells why in words.
+bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
+                 std::string& error);
+
+}  // namespace lray::image

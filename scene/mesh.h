@@ -1,0 +1,38 @@
+// Triangle meshes, shared by all nodes that use them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace lray::scene {
+
+/// Three indices into one of the arrays of a mesh, counter-clockwise from the front.
+using IndexTriple = std::array<std::uint32_t, 3>;
+
+/// A named stretch of a mesh's triangles: an OBJ `g` or `o`.
+struct MeshPart {
+    std::string name{};
+    std::uint32_t first_triangle = 0;
+    std::uint32_t triangle_count = 0;
+};
+
+/// Shape: `normal_indices` and `uv_indices` are empty or as long as `triangles`. A triple in
+/// `normal_indices` whose first index is kNone has no normals of its own, likewise uvs.
+/// Space: the file's; normals are unit.
+struct Mesh {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    std::vector<Vec3> positions{};
+    std::vector<Vec3> normals{};
+    std::vector<Vec2> uvs{};
+    std::vector<IndexTriple> triangles{};
+    std::vector<IndexTriple> normal_indices{};
+    std::vector<IndexTriple> uv_indices{};
+    std::vector<MeshPart> parts{};
+};
+
+}  // namespace lray::scene

@@ -1,0 +1,94 @@
+// The scene as it was authored: a graph of nodes with names, places in the source and hierarchy.
+// It keeps what diagnostics, picking and the dump need; what is traced is scene/world.h.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/source.h"
+#include "base/transform.h"
+#include "scene/camera.h"
+#include "scene/ids.h"
+#include "scene/material.h"
+#include "scene/mesh.h"
+#include "scene/shapes.h"
+
+namespace lray::scene {
+
+enum class NodeKind : std::uint8_t {
+    group,
+    sphere,
+    rectangle,
+    triangle,
+    cylinder,
+    disk,
+    box,
+    plane,
+    mesh,
+    instance,
+};
+
+/// One thing in the scene, 32 bytes: scenes of millions of literal shapes hold one for each.
+/// Nodes form a directed graph without cycles: a node value placed twice is one node with two
+/// instances.
+struct Node {
+    NodeKind kind = NodeKind::group;
+    bool visible = true;
+    bool casts_shadow = true;
+    std::uint32_t index = 0;     // into the array of its kind
+    TransformId transform_id{};  // parent_from_object; none: the identity
+    MaterialId material_id{};    // none: inherited
+    LabelId label_id{};          // none: unnamed
+    Span span{};                 // the block that made it
+};
+
+struct Group {
+    std::vector<NodeId> children{};
+};
+
+/// Another use of a node, with the transform and material of the node that holds it on top.
+struct Instance {
+    NodeId target{};
+};
+
+/// A use of a mesh: all of it, or a part.
+struct MeshUse {
+    static constexpr std::uint32_t kAllParts = 0xffffffffu;
+
+    MeshId mesh_id{};
+    std::uint32_t part = kAllParts;
+    double smooth = 0.0;  // degrees; 0 is facetted
+    bool z_is_up = false;
+};
+
+struct Scene {
+    std::vector<Node> nodes{};
+    std::vector<Group> groups{};
+    std::vector<SphereShape> spheres{};
+    std::vector<RectangleShape> rectangles{};
+    std::vector<TriangleShape> triangles{};
+    std::vector<CylinderShape> cylinders{};
+    std::vector<DiskShape> disks{};
+    std::vector<BoxShape> boxes{};
+    std::vector<PlaneShape> planes{};
+    std::vector<MeshUse> mesh_uses{};
+    std::vector<Instance> instances{};
+
+    std::vector<TriangleAttributes> triangle_attributes{};
+    std::vector<Mesh> meshes{};
+    std::vector<Transform> transforms{};
+    std::vector<Material> materials{};
+    std::vector<std::string> labels{};
+
+    std::vector<Camera> cameras{};  // the first is the default
+    RenderSettings render{};
+    std::vector<std::pair<std::string, std::string>> info{};
+
+    NodeId root{};  // a group
+
+    const Node& node(NodeId id) const { return nodes[id.index()]; }
+};
+
+}  // namespace lray::scene

@@ -1,0 +1,149 @@
+// The world as it is traced: flat arrays of world-space primitives, in float, made by flatten()
+// and never changed after. The geometry of each kind is defined here; how rays meet it is in bvh/.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "base/bounds.h"
+#include "base/vec.h"
+#include "scene/ids.h"
+#include "scene/material.h"
+#include "scene/mesh.h"
+
+namespace lray::scene {
+
+enum class PrimitiveKind : std::uint8_t {
+    triangle,
+    rectangle,
+    sphere,
+    ellipsoid,
+    cylinder,
+    disk,
+    box,
+    plane,
+};
+inline constexpr std::size_t kPrimitiveKindCount = 8;
+
+/// A primitive of the world: its kind in the top bits, its index below. Ids are totally ordered;
+/// the least one wins when two primitives are hit at the same t.
+struct PrimitiveId {
+    static constexpr unsigned kIndexBits = 28;
+    static constexpr std::uint32_t kMaxIndex = (1u << kIndexBits) - 1;
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    std::uint32_t value = kNone;
+
+    constexpr PrimitiveId() = default;
+    constexpr PrimitiveId(PrimitiveKind kind, std::size_t index)
+        : value(static_cast<std::uint32_t>(kind) << kIndexBits |
+                static_cast<std::uint32_t>(index)) {}
+
+    constexpr bool is_none() const { return value == kNone; }
+    constexpr PrimitiveKind kind() const { return static_cast<PrimitiveKind>(value >> kIndexBits); }
+    constexpr std::uint32_t index() const { return value & kMaxIndex; }
+    friend constexpr auto operator<=>(PrimitiveId, PrimitiveId) = default;
+};
+
+/// Maps the canonical object into the world by its inverse, split so that objects far from the
+/// world's origin keep their precision: p_object = object_from_world * (p - origin).
+struct AffineFrame {
+    Vec3 origin{};
+    Mat3 object_from_world{1.0f};
+};
+
+/// Indices into World::vertices.
+struct Triangle {
+    IndexTriple vertices{};
+};
+
+/// A quadrilateral with corners p00, p10, p11, p01 (by u, v), met as the two triangles
+/// (p00, p10, p11) and (p00, p11, p01): rectangles that share corners leave no gap between them.
+struct Rectangle {
+    std::array<Vec3, 4> corners{};
+};
+
+struct Sphere {
+    Vec3 center{};
+    float radius = 0.0f;
+};
+
+/// The unit sphere under an affine map.
+struct Ellipsoid {
+    AffineFrame frame{};
+};
+
+/// The truncated cone around +Y from y = 0, radius 1, to y = 1, radius top_radius in [0, 1], under
+/// an affine map. top_radius 1 is a cylinder, 0 a cone.
+struct Cylinder {
+    AffineFrame frame{};
+    float top_radius = 1.0f;
+    bool caps = true;
+};
+
+/// The unit disk in the plane y = 0, normal +Y, without the open disk of radius `hole`, under an
+/// affine map.
+struct Disk {
+    AffineFrame frame{};
+    float hole = 0.0f;
+};
+
+/// The cube [-1, 1]^3 under an affine map.
+struct Box {
+    AffineFrame frame{};
+};
+
+/// Infinite; `normal` is unit.
+struct Plane {
+    Vec3 point{};
+    Vec3 normal{0.0f, 1.0f, 0.0f};
+};
+
+/// What a primitive belongs to: one shape or mesh in one place of the graph. Painted in one colour
+/// at level 1.
+struct Object {
+    NodeId node_id{};
+    std::uint32_t material = 0;  // index into World::materials
+    bool visible = true;
+    bool casts_shadow = true;
+};
+
+/// Shape: `triangle_normals` and `triangle_uvs` are empty or as long as `triangles`; object_ids of
+/// a kind is as long as the array of that kind.
+struct World {
+    std::vector<Vec3> vertices{};
+    std::vector<Triangle> triangles{};
+    std::vector<Rectangle> rectangles{};
+    std::vector<Sphere> spheres{};
+    std::vector<Ellipsoid> ellipsoids{};
+    std::vector<Cylinder> cylinders{};
+    std::vector<Disk> disks{};
+    std::vector<Box> boxes{};
+    std::vector<Plane> planes{};
+
+    std::vector<Vec3> normals{};
+    std::vector<Vec2> uvs{};
+    std::vector<IndexTriple> triangle_normals{};  // into normals; first index kNone: facetted
+    std::vector<IndexTriple> triangle_uvs{};      // into uvs; likewise
+
+    std::array<std::vector<ObjectId>, kPrimitiveKindCount> object_ids{};
+    std::vector<Object> objects{};
+    std::vector<Material> materials{};  // the first is the default
+
+    ObjectId object_of(PrimitiveId id) const {
+        return object_ids[static_cast<std::size_t>(id.kind())][id.index()];
+    }
+    const Object& object(ObjectId id) const { return objects[id.index()]; }
+
+    std::size_t primitive_count() const;
+};
+
+/// Conservative bounds of one primitive. Asserts that it is not a plane.
+Bounds primitive_bounds(const World& world, PrimitiveId id);
+
+/// The bounds of all primitives but the planes; empty if there are none.
+Bounds finite_bounds(const World& world);
+
+}  // namespace lray::scene

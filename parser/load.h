@@ -18,6 +18,9 @@ struct LoadLimits {
     std::uint32_t nesting = 256;                         // --max-nesting
     std::uint32_t include_depth = 64;                    // --max-include-depth
     std::uint32_t files = 10'000;                        // --max-files
+
+    /// Off: literal blocks go through the full parser. The scene is the same; for tests.
+    bool use_literal_fast_path = true;
 };
 
 /// Reads, parses, checks and evaluates a scene with all it includes.

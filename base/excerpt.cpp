@@ -141,6 +141,7 @@ std::string in_style(std::string_view text, std::string_view style, const Palett
 
 /// Returns the lines below a line of source: the marks, the text of the mark that ends last beside
 /// them, and a line for the text of each other mark, the rightmost first.
+/// Shape: at least one mark.
 std::vector<std::string> format_marks(const ShownLine& shown, std::span<const LineMark> marks,
                                       const Palette& palette) {
     struct Placed {
@@ -166,15 +167,17 @@ std::vector<std::string> format_marks(const ShownLine& shown, std::span<const Li
     }
     std::stable_sort(placed.begin(), placed.end(),
                      [](const Placed& a, const Placed& b) { return a.begin < b.begin; });
-    std::erase_if(placed, [](const Placed& p) { return p.mark->text.empty(); });
     std::vector<std::string> lines{row.text(palette.reset)};
+    // Beside the row stands the text of the mark that ends it, so that it is taken for no other's.
     const auto last =
         std::max_element(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
             return std::pair(a.end, a.begin) < std::pair(b.end, b.begin);
         });
-    if (last == placed.end()) return lines;
-    lines[0] += " " + in_style(last->mark->text, style(*last->mark), palette);
-    placed.erase(last);
+    if (!last->mark->text.empty()) {
+        lines[0] += " " + in_style(last->mark->text, style(*last->mark), palette);
+        placed.erase(last);
+    }
+    std::erase_if(placed, [](const Placed& p) { return p.mark->text.empty(); });
     while (!placed.empty()) {
         const Placed current = placed.back();
         placed.pop_back();

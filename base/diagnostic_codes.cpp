@@ -27,8 +27,8 @@ constexpr CodeInfo kInfos[] = {
 {LRAY_CODE(E0003), "binary file",
  "A scene is text, and this file holds NUL bytes: it is a picture, an archive or something else "
  "binary. Pictures and meshes are named by properties, not included.",
- "include \"bunny.ply\"",
- "mesh { file: \"bunny.ply\" }"},
+ "include \"floor.png\"",
+ "include \"floor.lrs\""},
 {LRAY_CODE(E0004), "name with a character outside ASCII",
  "Names consist of the letters a to z and A to Z, digits and `_`. Some letters of other alphabets "
  "look the same as Latin ones, so that two names could look alike and differ. Strings may hold any "

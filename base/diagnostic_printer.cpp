@@ -18,7 +18,7 @@ constexpr Palette kWarningColors{"\x1b[1;33m", "\x1b[1;34m", "\x1b[1;34m", "\x1b
 
 /// Returns "room.lrs:12:3", without line and column where the text is gone.
 std::string place(const Sources& sources, Span span) {
-    std::string text = escape_for_terminal(sources[span.source].path);
+    std::string text = escape_for_terminal(sources[span.source].path, kMaxMessageSize);
     const bool is_released = sources[span.source].text.size() == 0 && span.offset > 0;
     if (is_released) return text;
     const Position position = sources.position(span);
@@ -42,7 +42,7 @@ std::string include_chain(const Sources& sources, Span span) {
         id = from.source;
     }
     if (includes.empty()) return {};
-    std::string text = "in " + escape_for_terminal(sources[span.source].path);
+    std::string text = "in " + escape_for_terminal(sources[span.source].path, kMaxMessageSize);
     for (std::size_t i = 0; i < includes.size(); ++i) {
         const bool is_folded = includes.size() > kMaxShown && i == kMaxShown - 2;
         if (is_folded) {
@@ -89,7 +89,7 @@ std::string format_diagnostic(const Diagnostic& diagnostic, const Sources& sourc
         "{}{}:{} {}{}[{}]:{} {}{}", palette.strong,
         is_nowhere ? std::string("lray") : place(sources, diagnostic.span), palette.reset,
         palette.primary, is_error ? "error" : "warning", code_info(diagnostic.code).id,
-        palette.reset, palette.strong, escape_for_terminal(diagnostic.message));
+        palette.reset, palette.strong, escape_for_terminal(diagnostic.message, kMaxMessageSize));
     if (diagnostic.count > 1) result += fmt::format(" (occurred {} times)", diagnostic.count);
     result += fmt::format("{}\n", palette.reset);
 
@@ -111,14 +111,14 @@ std::string format_diagnostic(const Diagnostic& diagnostic, const Sources& sourc
                               title, escaped);
     };
     const auto add_text = [&](std::string_view title, std::string_view text) {
-        add_line(title, escape_for_terminal(text));
+        add_line(title, escape_for_terminal(text, kMaxMessageSize));
     };
     if (!has_excerpt(sources, diagnostic.span) && !diagnostic.hint.empty()) {
         add_text("", diagnostic.hint);
     }
     for (const Label& label : diagnostic.labels) {
         if (has_excerpt(sources, label.span)) continue;
-        add_line("", escape_for_terminal(label.message) +
+        add_line("", escape_for_terminal(label.message, kMaxMessageSize) +
                          (label.span.is_nowhere() ? "" : ": " + place(sources, label.span)));
     }
     const std::string chain = include_chain(sources, diagnostic.span);

@@ -13,7 +13,8 @@ namespace lray {
 namespace {
 
 constexpr std::size_t kTabStop = 4;
-constexpr std::size_t kMaxColumns = 100;  // of source text
+constexpr std::size_t kMaxColumns = 100;            // of source text
+constexpr std::size_t kMaxBytes = 8 * kMaxColumns;  // of them: combining marks take no column
 constexpr std::string_view kCut = "...";
 
 /// The part of a mark that lies on one line; bytes count from the begin of the line.
@@ -30,8 +31,6 @@ class ShownLine {
  public:
     /// Shows the whole line if it is short, else a stretch of it around the byte `focus`.
     ShownLine(std::string_view line, std::size_t focus) {
-        // No need to measure what cannot fit: a glyph is never wider than twice its bytes' escape.
-        constexpr std::size_t kMaxBytes = 8 * kMaxColumns;
         if (line.size() <= kMaxBytes) {
             lay_out(line, 0, kNoLimit);
             if (column_ <= kMaxColumns) return;
@@ -78,7 +77,7 @@ class ShownLine {
             const bool is_tab = line[byte] == '\t';
             const Glyph glyph = first_glyph(line.substr(byte));
             const std::size_t width = is_tab ? kTabStop - column_ % kTabStop : glyph.width;
-            if (column_ + width > limit) break;
+            if (column_ + width > limit || byte - begin >= kMaxBytes) break;
             glyphs_.emplace_back(byte, column_);
             if (is_tab) {
                 text_.append(width, ' ');
@@ -135,7 +134,7 @@ std::string gutter(std::string_view number, std::size_t width, const Palette& pa
 }
 
 std::string in_style(std::string_view text, std::string_view style, const Palette& palette) {
-    return fmt::format("{}{}{}", style, escape_for_terminal(text),
+    return fmt::format("{}{}{}", style, escape_for_terminal(text, kMaxMessageSize),
                        style.empty() ? std::string_view{} : palette.reset);
 }
 

@@ -10,6 +10,9 @@
 
 namespace lray {
 
+/// Bytes of a message, note or label that are printed: one may quote a name of a megabyte.
+inline constexpr std::size_t kMaxMessageSize = 2000;
+
 /// The escape sequences of each part of a message; all empty without colours.
 struct Palette {
     std::string_view primary{};    // severity and carets

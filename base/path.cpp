@@ -1,6 +1,6 @@
 #include "base/path.h"
 
-#include <cstdlib>
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 

@@ -112,10 +112,11 @@ Glyph first_glyph(std::string_view text) {
     return glyph;
 }
 
-std::string escape_for_terminal(std::string_view text) {
+std::string escape_for_terminal(std::string_view text, std::size_t max_size) {
     std::string result;
-    result.reserve(text.size());
+    result.reserve(std::min(text.size(), max_size));
     while (!text.empty()) {
+        if (result.size() >= max_size) return result + "...";
         const Glyph glyph = first_glyph(text);
         result += glyph.text();
         text.remove_prefix(glyph.size);

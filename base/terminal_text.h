@@ -22,7 +22,9 @@ Glyph first_glyph(std::string_view text);
 
 /// Returns the text with control characters, invalid UTF-8, invisible characters and bidirectional
 /// overrides written as escapes (`\n`, `\u{1b}`, `\xff`), so that nothing from a scene can command
-/// a terminal or pass for something else.
-std::string escape_for_terminal(std::string_view text);
+/// a terminal or pass for something else. What follows after `max_size` bytes is cut off, and three
+/// dots stand for it.
+std::string escape_for_terminal(std::string_view text,
+                                std::size_t max_size = std::string_view::npos);
 
 }  // namespace lray

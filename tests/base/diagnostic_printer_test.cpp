@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <random>
 #include <string>
 #include <string_view>
 
@@ -292,6 +294,45 @@ TEST(DiagnosticPrinter, NoControlCharacterGetsThrough) {
     for (const char c : text) EXPECT_TRUE(c == '\n' || (c >= ' ' && c != '\x7f'));
     for (const char c : {'m', 'h', 'l', 'n', 'o', 'p'}) {
         EXPECT_NE(text.find(std::string(1, c) + "\\u{1b}\\n"), std::string::npos) << c;
+    }
+}
+
+TEST(DiagnosticPrinter, HugeNamesAndLinesWithoutWidthAreCut) {
+    Sources sources;
+    std::string marks = "e";
+    for (int i = 0; i < 100'000; ++i) marks += "\xcc\x81";
+    const SourceId id = sources.add("a.lrs", Text(marks));
+    Diagnostics diagnostics;
+    diagnostics.error(Code::E0201, Span::make(id, 100'001, 100'003), std::string(100'000, 'x'))
+        .with_hint(std::string(100'000, 'y'));
+    EXPECT_LT(print(diagnostics, sources).size(), 6000u);
+}
+
+TEST(DiagnosticPrinter, AnySpansInAnyBytesPrintWithoutControls) {
+    constexpr std::uint32_t kSeed = 5;
+    std::mt19937 random(kSeed);
+    constexpr std::string_view kBytes = "ab \t\r\n\x1b\xcc\x81\xe4\xb8\xad\xff";
+    for (int i = 0; i < 3000; ++i) {
+        std::string text(1 + random() % (i % 10 == 0 ? 3000 : 40), ' ');
+        for (char& c : text) c = kBytes[random() % kBytes.size()];
+        Sources sources;
+        const SourceId id = sources.add("a.lrs", Text(text));
+        const auto span = [&] {
+            const std::size_t begin = random() % (text.size() + 1);
+            return Span::make(id, begin, begin + random() % (text.size() + 1 - begin));
+        };
+        Diagnostics diagnostics;
+        diagnostics.error(Code::E0001, span(), "m")
+            .with_hint("hint")
+            .with_label(span(), "first label")
+            .with_label(span(), "second label");
+        const std::string printed = print(diagnostics, sources);
+        for (const char c : printed) {
+            ASSERT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= ' ') << i << ": " << printed;
+        }
+        for (const char* part : {"^", "hint", "first label", "second label"}) {
+            ASSERT_NE(printed.find(part), std::string::npos) << i << ": " << printed;
+        }
     }
 }
 

@@ -38,6 +38,12 @@ TEST(EscapeForTerminal, InvalidUtf8IsWrittenByteByByte) {
     EXPECT_EQ(escape_for_terminal("\xe2\x82z"), "\\xe2\\x82z");
 }
 
+TEST(EscapeForTerminal, LongTextIsCutBetweenCharacters) {
+    EXPECT_EQ(escape_for_terminal("abc", 3), "abc");
+    EXPECT_EQ(escape_for_terminal("abcd", 3), "abc...");
+    EXPECT_EQ(escape_for_terminal("ab\xc3\xa4z", 3), "ab\xc3\xa4...");
+}
+
 TEST(FirstGlyph, WidthIsThatOfTheTerminal) {
     EXPECT_EQ(first_glyph("a").width, 1u);
     EXPECT_EQ(first_glyph("\xcc\x81").width, 0u);          // combining acute

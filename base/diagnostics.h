@@ -23,7 +23,7 @@ struct Label {
 };
 
 /// One mistake. Messages are lower case, without a full stop, and say what was found, what was
-/// expected, and the fix when it is known.
+/// expected, and the fix when it is known. Every text is one line.
 struct Diagnostic {
     Severity severity = Severity::error;
     Code code{};
@@ -79,7 +79,8 @@ class Diagnostics {
     Diagnostic& report(Severity severity, Code code, Span span, std::string message);
 
     std::vector<Diagnostic> diagnostics_;
-    std::map<std::pair<Severity, std::uint64_t>, std::size_t> by_place_;
+    using Place = std::pair<Severity, std::uint64_t>;
+    std::map<Place, std::size_t> by_place_;  // of those kept
     Diagnostic dropped_;
     std::size_t error_count_ = 0;
     std::size_t warning_count_ = 0;

@@ -27,7 +27,7 @@ ProgressStyle progress_style(const Options& options) {
 }
 
 std::string_view shown_scene(const Options& options) {
-    return options.scene_path == "-" ? "stdin" : std::string_view(options.scene_path);
+    return options.scene_path == "-" ? "<stdin>" : std::string_view(options.scene_path);
 }
 
 /// True for a pipe or a device: there is no place beside it for a partial picture.

@@ -22,6 +22,10 @@ struct DigitRun {
 inline constexpr std::size_t kMaxDigitRun = 8;
 static_assert(Text::kPadding >= kMaxDigitRun);
 
+/// By the count of a run: what digits before it are multiplied with.
+inline constexpr std::array<std::uint32_t, kMaxDigitRun + 1> kRunPowersOfTen = {
+    1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
+
 /// Returns the digits that `at` begins with, at most eight, without a branch: the lengths of
 /// numbers in a file are what a processor cannot predict.
 /// Shape: eight bytes must be readable at `at`, as everywhere in a Text and at its end.
@@ -60,9 +64,6 @@ inline constexpr std::array<double, 23> kPowersOfTen = {
     1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-inline constexpr std::array<std::uint32_t, kMaxDigitRun + 1> kSmallPowersOfTen = {
-    1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
-
 /// Returns the value of the decimal number that [begin, end) is.
 double convert_decimal(const char* begin, const char* end);
 
@@ -84,7 +85,7 @@ inline ParsedNumber parse_decimal(const char* at) {
         DigitRun run;
         do {
             run = read_digit_run(at);
-            mantissa = mantissa * detail::kSmallPowersOfTen[run.count] + run.value;
+            mantissa = mantissa * kRunPowersOfTen[run.count] + run.value;
             digit_count += run.count;
             at += run.count;
         } while (run.count == kMaxDigitRun);

@@ -42,6 +42,13 @@ Diagnostic& Diagnostics::report(Severity severity, Code code, Span span, std::st
     return diagnostics_.back();
 }
 
+void Diagnostics::append(const Diagnostics& others) {
+    for (const Diagnostic& other : others.diagnostics_) {
+        Diagnostic& added = report(other.severity, other.code, other.span, other.message);
+        if (&added != &dropped_) added = other;
+    }
+}
+
 std::vector<const Diagnostic*> Diagnostics::sorted() const {
     std::vector<const Diagnostic*> result;
     result.reserve(diagnostics_.size());

@@ -65,6 +65,9 @@ class Diagnostics {
     Diagnostic& error(Code code, Span span, std::string message);
     Diagnostic& warning(Code code, Span span, std::string message);
 
+    /// Adds all of another collection's.
+    void append(const Diagnostics& others);
+
     std::size_t error_count() const { return error_count_; }
     std::size_t warning_count() const { return warning_count_; }
     bool has_errors() const { return error_count_ > 0; }

@@ -46,6 +46,9 @@ class Arena {
         return {bytes.data(), bytes.size()};
     }
 
+    /// Bytes taken from the system.
+    std::size_t size() const { return size_; }
+
     void* allocate(std::size_t size, std::size_t alignment) {
         auto begin = reinterpret_cast<std::uintptr_t>(next_);
         begin = (begin + alignment - 1) & ~(std::uintptr_t{alignment} - 1);
@@ -66,6 +69,7 @@ class Arena {
         const std::size_t size = std::max(least, block_size_);
         block_size_ = std::min(block_size_ * 2, kLargestBlock);
         blocks_.push_back(std::make_unique_for_overwrite<std::byte[]>(size));
+        size_ += size;
         next_ = blocks_.back().get();
         end_ = next_ + size;
     }
@@ -74,6 +78,7 @@ class Arena {
     std::byte* next_ = nullptr;
     std::byte* end_ = nullptr;
     std::size_t block_size_ = kFirstBlock;
+    std::size_t size_ = 0;
 };
 
 }  // namespace lray::parser

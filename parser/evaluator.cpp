@@ -54,12 +54,13 @@ struct OpenBlock {
 class Evaluator {
  public:
     Evaluator(const Checked& checked, const Symbols& symbols, const Sources& sources,
-              FileLoader& files, Arena& arena, scene::Scene& scene, Diagnostics& diagnostics)
+              FileLoader& files, const LoadLimits& limits, scene::Scene& scene,
+              Diagnostics& diagnostics)
         : checked_(checked),
           symbols_(symbols),
           sources_(sources),
           files_(files),
-          arena_(arena),
+          budget_{limits.steps, limits.value_bytes, limits.steps},
           scene_(scene),
           diagnostics_(diagnostics),
           variables_(checked.variables.size(), Value::poison()) {}
@@ -114,7 +115,8 @@ class Evaluator {
     const Symbols& symbols_;
     const Sources& sources_;
     FileLoader& files_;
-    Arena& arena_;
+    Arena arena_;
+    Budget budget_;
     scene::Scene& scene_;
     Diagnostics& diagnostics_;
     std::vector<Value> variables_;
@@ -427,6 +429,7 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
 // ---- expressions
 
 Value Evaluator::eval(const Expr& expr) {
+    if (!take_step(budget_, expr.span, diagnostics_)) return Value::poison();
     switch (expr.kind) {
         case ExprKind::error:
             return Value::poison();
@@ -497,7 +500,7 @@ Value Evaluator::binary(const BinaryExpr& expr) {
         explain_zero(*expr.right, diagnostic);
         return Value::poison();
     }
-    return apply(expr.op, left, right, expr.op_span, arena_, diagnostics_);
+    return apply(expr.op, left, right, expr.op_span, arena_, budget_, diagnostics_);
 }
 
 // "`n` is 0, defined here"
@@ -660,9 +663,9 @@ Value Evaluator::list(const ListExpr& expr) {
 }  // namespace
 
 void evaluate(std::span<Item* const> items, const Checked& checked, const Symbols& symbols,
-              const Sources& sources, FileLoader& files, Arena& arena, scene::Scene& scene,
-              Diagnostics& diagnostics) {
-    Evaluator(checked, symbols, sources, files, arena, scene, diagnostics).run(items);
+              const Sources& sources, FileLoader& files, const LoadLimits& limits,
+              scene::Scene& scene, Diagnostics& diagnostics) {
+    Evaluator(checked, symbols, sources, files, limits, scene, diagnostics).run(items);
 }
 
 }  // namespace lray::parser

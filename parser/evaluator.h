@@ -4,10 +4,10 @@
 #include <span>
 
 #include "base/diagnostics.h"
-#include "parser/arena.h"
 #include "parser/ast.h"
 #include "parser/checker.h"
 #include "parser/file_loader.h"
+#include "parser/load.h"
 #include "parser/symbols.h"
 #include "scene/scene.h"
 
@@ -17,7 +17,7 @@ namespace lray::parser {
 /// Errors: E03.., E04.., E05.., E06.., E07.. at the expression; what depends on a failed value is
 /// skipped in silence, the rest goes on.
 void evaluate(std::span<Item* const> items, const Checked& checked, const Symbols& symbols,
-              const Sources& sources, FileLoader& files, Arena& arena, scene::Scene& scene,
-              Diagnostics& diagnostics);
+              const Sources& sources, FileLoader& files, const LoadLimits& limits,
+              scene::Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace lray::parser

@@ -89,7 +89,7 @@ void FileLoader::report(const ReadResult& result, std::string_view written, Span
             return;
         case ReadStatus::too_large:
             diagnostics_
-                .error(Code::E0517, span,
+                .error(Code::E0516, span,
                        fmt::format("`{}` is larger than {} bytes", written, max_size))
                 .with_help(fmt::format("raise the limit with `{} N`", limit_flag));
             return;

@@ -122,7 +122,7 @@ std::optional<scene::Scene> load(std::string_view path, const LoadLimits& limits
     if (!includes.is_structure_known()) return std::nullopt;
     const Checked checked = check(program, symbols, sources, arena, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
-    evaluate(program, checked, symbols, sources, loader, arena, scene, diagnostics);
+    evaluate(program, checked, symbols, sources, loader, limits, scene, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     warn_of_gaps(scene, *main, diagnostics);
     return scene;

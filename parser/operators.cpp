@@ -96,11 +96,26 @@ bool compare(TokenKind op, double a, double b) {
 
 }  // namespace
 
+bool take_step(Budget& budget, Span span, Diagnostics& diagnostics) {
+    if (budget.steps > 0) {
+        --budget.steps;
+        return true;
+    }
+    diagnostics
+        .error(Code::E0512, span,
+               fmt::format("evaluating the scene takes more than {} steps", budget.max_steps))
+        .with_help("raise the limit with `--max-steps N`");
+    return false;
+}
+
 Value apply(TokenKind op, const Value& left, const Value& right, Span span, Arena& arena,
-            Diagnostics& diagnostics) {
+            Budget& budget, Diagnostics& diagnostics) {
     if (left.is(ValueKind::poison) || right.is(ValueKind::poison)) return Value::poison();
-    if (op == TokenKind::equal_equal) return Value::of(is_equal(left, right));
-    if (op == TokenKind::not_equal) return Value::of(!is_equal(left, right));
+    if (is_one_of(op, TokenKind::equal_equal, TokenKind::not_equal)) {
+        const bool equal = is_equal(left, right, budget);
+        if (budget.steps == 0 && !take_step(budget, span, diagnostics)) return Value::poison();
+        return Value::of(equal == (op == TokenKind::equal_equal));
+    }
     if (is_comparison_of_order(op)) {
         if (left.is(ValueKind::number) && right.is(ValueKind::number)) {
             return Value::of(compare(op, left.number, right.number));
@@ -115,8 +130,12 @@ Value apply(TokenKind op, const Value& left, const Value& right, Span span, Aren
     }
     if (op == TokenKind::plus && left.is(ValueKind::string) && right.is(ValueKind::string)) {
         const std::uint64_t size = std::uint64_t{left.count} + right.count;
-        if (size > std::numeric_limits<std::uint32_t>::max()) {
-            diagnostics.error(Code::E0514, span, "this string is longer than 4 GiB");
+        if (arena.size() + size > budget.value_bytes) {
+            diagnostics
+                .error(Code::E0516, span,
+                       fmt::format("the values of this scene need more than {} bytes",
+                                   budget.value_bytes))
+                .with_help("raise the limit with `--max-value-bytes N`");
             return Value::poison();
         }
         std::string joined(left.string());
@@ -145,8 +164,9 @@ Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena,
     return Value::of_numbers(negated);
 }
 
-bool is_equal(const Value& a, const Value& b) {
-    if (a.kind != b.kind) return false;
+bool is_equal(const Value& a, const Value& b, Budget& budget) {
+    if (budget.steps == 0 || a.kind != b.kind) return false;
+    --budget.steps;
     switch (a.kind) {
         case ValueKind::none:
         case ValueKind::poison:
@@ -171,7 +191,7 @@ bool is_equal(const Value& a, const Value& b) {
         case ValueKind::list: {
             if (a.count != b.count) return false;
             for (std::uint32_t i = 0; i < a.count; ++i) {
-                if (!is_equal(a.elements[i], b.elements[i])) return false;
+                if (!is_equal(a.elements[i], b.elements[i], budget)) return false;
             }
             return true;
         }

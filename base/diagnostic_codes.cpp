@@ -337,6 +337,10 @@ constexpr CodeInfo kInfos[] = {
  "There is nothing to see: the mesh, or the part of it that was asked for, has no faces.",
  "v 0 0 0\nv 1 0 0\nv 0 1 0",
  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
+{LRAY_CODE(E0705), "unsupported file format",
+ "lray does not read this kind of file, or this feature of it.",
+ "mesh { file: \"chair.blend\" }",
+ "mesh { file: \"chair.obj\" }"},
 
 {LRAY_CODE(W1102), "hides an outer name",
  "Inside these braces the name means the new value; the outer one cannot be reached.",

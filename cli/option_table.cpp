@@ -12,6 +12,7 @@ namespace lray::cli {
 
 namespace {
 
+constexpr std::uint64_t kMaxDepth = 1000;  // what is nested is read by recursion
 constexpr std::uint64_t kMaxThreads = 1024;
 constexpr std::uint64_t kMaxSide = std::numeric_limits<std::int32_t>::max();
 
@@ -203,15 +204,19 @@ constexpr std::array kMessageOptions{
 
 constexpr std::array kLimitOptions{
     OptionSpec{"max-nesting", "N", "brackets and blocks inside one another",
-               [](Options& o, Value v) { return store_number(o.load_limits.nesting, v, 1); }},
+               [](Options& o, Value v) { return store_number(o.load_limits.nesting, v, 1, kMaxDepth); }},
     OptionSpec{"max-include-depth", "N", "files that include one another",
-               [](Options& o, Value v) { return store_number(o.load_limits.include_depth, v, 0); }},
+               [](Options& o, Value v) { return store_number(o.load_limits.include_depth, v, 0, kMaxDepth); }},
     OptionSpec{"max-files", "N", "files of a scene",
                [](Options& o, Value v) { return store_number(o.load_limits.files, v, 1); }},
     OptionSpec{"max-scene-bytes", "N", "size of a scene file",
                [](Options& o, Value v) { return store_number(o.load_limits.scene_bytes, v, 1); }},
     OptionSpec{"max-mesh-bytes", "N", "size of a mesh file",
                [](Options& o, Value v) { return store_number(o.load_limits.mesh_bytes, v, 1); }},
+    OptionSpec{"max-steps", "N", "steps of evaluation",
+               [](Options& o, Value v) { return store_number(o.load_limits.steps, v, 1); }},
+    OptionSpec{"max-value-bytes", "N", "memory for the values of a scene",
+               [](Options& o, Value v) { return store_number(o.load_limits.value_bytes, v, 1); }},
     OptionSpec{"max-primitives", "N", "triangles, spheres and so on in all",
                [](Options& o, Value v) { return store_number(o.flatten_limits.primitives, v, 1); }},
     OptionSpec{"max-output-pixels", "N", "pixels of the picture",

@@ -45,6 +45,7 @@ class Lexer {
     Token string();
     Token hash();
     Token punctuation();
+    Token operator_token();
     Token foreign_character();
     Token finish(TokenKind kind, const char* token_end);
     Span span_from(const char* from, const char* to) const;

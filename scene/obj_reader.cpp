@@ -19,7 +19,7 @@ namespace obj {
 
 namespace {
 
-constexpr std::size_t kMaxCorners = std::size_t{1} << 24;  // of one face
+constexpr std::size_t kMaxCorners = std::size_t{1} << 20;  // of one face
 
 /// Reads the statements of a file into a mesh builder. Forward indices make it impossible to judge
 /// an index before the end: the fast run gives up at the first mistake, and a second one, which

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace lray {
 
@@ -15,19 +16,19 @@ Diagnostic& Diagnostics::warning(Code code, Span span, std::string message) {
 
 Diagnostic& Diagnostics::report(Severity severity, Code code, Span span, std::string message) {
     const bool is_kept = diagnostics_.size() < kMaxKept;
+    has_limit_errors_ = has_limit_errors_ || (severity == Severity::error && is_limit(code));
     // Nowhere is no place: such reports are never merged by it.
-    if (!span.is_nowhere() && is_kept) {
-        const std::uint64_t place = std::uint64_t{span.source} << 32 | span.offset;
-        const auto [entry, is_new] = by_place_.try_emplace({severity, place}, diagnostics_.size());
-        if (!is_new) {
-            Diagnostic& first = diagnostics_[entry->second];
+    if (!span.is_nowhere()) {
+        const Place place{severity, std::uint64_t{span.source} << 32 | span.offset};
+        if (const auto known = by_place_.find(place); known != by_place_.end()) {
+            Diagnostic& first = diagnostics_[known->second];
             if (first.code == code && first.message == message) ++first.count;
             dropped_ = Diagnostic{};
             return dropped_;
         }
+        if (is_kept) by_place_.emplace(place, diagnostics_.size());
     }
     ++(severity == Severity::error ? error_count_ : warning_count_);
-    has_limit_errors_ = has_limit_errors_ || (severity == Severity::error && is_limit(code));
     if (!is_kept) {
         dropped_ = Diagnostic{};
         return dropped_;
@@ -39,6 +40,13 @@ Diagnostic& Diagnostics::report(Severity severity, Code code, Span span, std::st
     diagnostic.message = std::move(message);
     diagnostics_.push_back(std::move(diagnostic));
     return diagnostics_.back();
+}
+
+void Diagnostics::append(const Diagnostics& others) {
+    for (const Diagnostic& other : others.diagnostics_) {
+        Diagnostic& added = report(other.severity, other.code, other.span, other.message);
+        if (&added != &dropped_) added = other;
+    }
 }
 
 std::vector<const Diagnostic*> Diagnostics::sorted() const {

@@ -23,7 +23,7 @@ struct Label {
 };
 
 /// One mistake. Messages are lower case, without a full stop, and say what was found, what was
-/// expected, and the fix when it is known.
+/// expected, and the fix when it is known. Every text is one line.
 struct Diagnostic {
     Severity severity = Severity::error;
     Code code{};
@@ -65,6 +65,9 @@ class Diagnostics {
     Diagnostic& error(Code code, Span span, std::string message);
     Diagnostic& warning(Code code, Span span, std::string message);
 
+    /// Adds all of another collection's.
+    void append(const Diagnostics& others);
+
     std::size_t error_count() const { return error_count_; }
     std::size_t warning_count() const { return warning_count_; }
     bool has_errors() const { return error_count_ > 0; }
@@ -79,7 +82,8 @@ class Diagnostics {
     Diagnostic& report(Severity severity, Code code, Span span, std::string message);
 
     std::vector<Diagnostic> diagnostics_;
-    std::map<std::pair<Severity, std::uint64_t>, std::size_t> by_place_;
+    using Place = std::pair<Severity, std::uint64_t>;
+    std::map<Place, std::size_t> by_place_;  // of those kept
     Diagnostic dropped_;
     std::size_t error_count_ = 0;
     std::size_t warning_count_ = 0;

@@ -15,7 +15,8 @@ namespace lray {
 /// Source: Damerau 1964, "A technique for computer detection and correction of spelling errors".
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
 
-/// Returns at most three of the candidates within max(1, length / 3) edits, nearest first.
+/// Returns at most three of the candidates within max(1, length / 3) edits, nearest first; names
+/// with no letter in common are not near. None for names of more than 100 bytes.
 std::vector<std::string_view> nearest_names(std::string_view name,
                                             std::span<const std::string_view> candidates);
 

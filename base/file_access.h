@@ -2,12 +2,16 @@
 // read.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
+#include "base/descriptor.h"
+#include "base/open_beneath.h"
 #include "base/source.h"
 
 namespace lray {
@@ -28,7 +32,7 @@ struct ReadResult {
     Text text{};
     std::string reason{};                 // errno in words, for `unreadable`
     std::vector<std::string> searched{};  // paths tried, in order
-    std::string nearest{};                // a file name in a searched directory that is close
+    std::string nearest{};                // the path as it might have been meant; may be empty
     bool used_backslash = false;          // `\` was read as `/` (W1603)
     bool differs_in_case = false;         // found only by ignoring case (W1604): see `path`
     bool is_absolute = false;             // W1605
@@ -40,16 +44,20 @@ struct ReadResult {
 /// openat2 a component-wise walk with O_NOFOLLOW), opened with O_NONBLOCK.
 class FileAccess {
  public:
+    explicit FileAccess(BeneathMethod method = best_beneath_method()) : method_(method) {}
+
     /// Reads may touch this directory and all below it. Also a place where relative names are
     /// searched if `is_searched` (-I, LRAY_PATH).
     void allow(std::string directory, bool is_searched);
 
-    /// Reads the main file, named by the user on the command line: any place, "-" is stdin. Its
-    /// directory becomes allowed. FIFOs are accepted here.
+    /// Reads the main file, named by the user on the command line: any place, "-" is stdin (shown
+    /// as "<stdin>"). Its directory becomes allowed; of what is not a regular file (stdin, FIFOs
+    /// and devices are accepted here), the current one.
     ReadResult read_main(std::string_view path, std::uint64_t max_size);
 
     /// Reads a file named inside another: relative to `from_directory`, then to each searched
-    /// directory in the order given.
+    /// directory in the order given. Neither "x/.." nor the letter case of names leads outside;
+    /// what was not found exactly is looked for ignoring case.
     ReadResult read(std::string_view path, std::string_view from_directory, std::uint64_t max_size);
 
     /// Every file that was read, in order, each once.
@@ -57,11 +65,29 @@ class FileAccess {
 
  private:
     struct Root {
-        std::string directory;
+        std::string directory{};  // as given
+        std::string absolute{};   // the same, tidied as text
+        std::string real{};       // the same without symbolic links
+        Descriptor descriptor{};  // what decides
         bool is_searched = false;
     };
+    struct Attempt {
+        ReadStatus status = ReadStatus::outside;
+        Descriptor file{};
+        std::uint64_t size = 0;
+        int error = 0;
+        std::string allow{};
+    };
+
+    Attempt open(const std::string& shown) const;
+    Attempt open_absolute(const std::string& absolute) const;
+    void read_ignoring_case(ReadResult& result, std::string_view written, std::uint64_t max_size);
+    void finish(ReadResult& result, Attempt attempt, std::uint64_t max_size);
+
+    BeneathMethod method_;
     std::vector<Root> roots_;
     std::vector<std::string> files_read_;
+    std::unordered_set<std::string> is_read_;
 };
 
 }  // namespace lray

@@ -15,8 +15,9 @@ namespace lray {
 class OutputFile {
  public:
     /// Opens the target for writing, before anything expensive is begun. "-" is stdout; what is
-    /// not a regular file (/dev/stdout, a FIFO) is written directly. Sweeps temporaries that a
-    /// killed process left beside the target.
+    /// not a regular file (/dev/stdout, a FIFO) is written directly. A symbolic link stays, and
+    /// what it points to is written. The permissions are the old file's, else as the umask gives.
+    /// Sweeps temporaries that a killed process left beside the target.
     /// Errors: empty, and `error` tells why in words.
     static std::optional<OutputFile> open(const std::string& path, std::string& error);
 
@@ -24,11 +25,12 @@ class OutputFile {
     OutputFile& operator=(OutputFile&&) noexcept;
     ~OutputFile();
 
-    /// Returns false when the bytes could not be written; error() tells why.
+    /// Returns false when the bytes, or those before, could not be written; error() tells why. A
+    /// closed pipe is such a failure when SIGPIPE is ignored.
     bool write(std::span<const std::byte> bytes);
     bool write(std::string_view text);
 
-    /// Flushes to the disk and renames over the target. Returns false as write() does.
+    /// Flushes to the disk and renames over the target; the last call. Returns false as write().
     bool commit();
 
     const std::string& error() const;

@@ -6,6 +6,30 @@
 #include "base/assert.h"
 
 namespace lray {
+namespace {
+
+// A line table with an entry per block, not per line: 1 GiB of empty lines must not take 4 GiB.
+constexpr std::size_t kBlockSize = 4096;
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// True if a line ends with this byte. The NUL padding of Text is the byte after the last.
+bool ends_line(const char* byte) {
+    return *byte == '\n' || (*byte == '\r' && byte[1] != '\n');
+}
+
+std::size_t count_line_ends(const Text& text, std::size_t begin, std::size_t end) {
+    return static_cast<std::size_t>(std::count_if(text.data() + begin, text.data() + end,
+                                                  [](const char& c) { return ends_line(&c); }));
+}
+
+/// Returns where the line begins that holds the byte at `offset`.
+std::size_t line_begin(const Text& text, std::size_t offset) {
+    while (offset > 0 && !ends_line(text.data() + offset - 1)) --offset;
+    return offset;
+}
+
+}  // namespace
 
 Text::Text(Uninitialized, std::size_t size)
     : bytes_(std::make_unique_for_overwrite<char[]>(size + kPadding)), size_(size) {
@@ -28,34 +52,35 @@ void Text::truncate(std::size_t size) {
 
 SourceId Sources::add(std::string path, Text text, Span included_from) {
     LRAY_ASSERT(!is_full());
+    LRAY_ASSERT(text.size() <= kMaxTextSize);
     sources_.push_back(Source{std::move(path), std::move(text), included_from});
     return static_cast<SourceId>(sources_.size() - 1);
 }
 
-const std::vector<std::uint32_t>& Sources::line_starts(const Source& source) const {
-    std::vector<std::uint32_t>& starts = source.line_starts;
-    if (!starts.empty()) return starts;
-    const std::string_view text = source.text.view();
-    starts.push_back(0);
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool ends_line =
-            text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
-        if (ends_line) starts.push_back(static_cast<std::uint32_t>(i + 1));
+const std::vector<std::uint32_t>& Sources::lines_before(const Source& source) const {
+    std::vector<std::uint32_t>& table = source.lines_before;
+    if (!table.empty()) return table;
+    const std::size_t size = source.text.size();
+    std::size_t count = 0;
+    for (std::size_t begin = 0; begin <= size; begin += kBlockSize) {
+        table.push_back(static_cast<std::uint32_t>(count));
+        count += count_line_ends(source.text, begin, std::min(begin + kBlockSize, size));
     }
-    return starts;
+    return table;
 }
 
 Position Sources::position(Span span) const {
+    LRAY_ASSERT(span.source < sources_.size());
     const Source& source = sources_[span.source];
-    const std::vector<std::uint32_t>& starts = line_starts(source);
-    const auto after = std::upper_bound(starts.begin(), starts.end(), span.offset);
-    const std::uint32_t start = *(after - 1);
-    Position position;
-    position.line = static_cast<std::uint32_t>(after - starts.begin());
     const std::string_view text = source.text.view();
-    std::size_t begin = start;
-    if (start == 0 && text.starts_with("\xEF\xBB\xBF")) begin = 3;
-    for (std::size_t i = begin; i < std::min<std::size_t>(span.offset, text.size()); ++i) {
+    const std::size_t offset = std::min<std::size_t>(span.offset, text.size());
+    const std::size_t block = offset / kBlockSize;
+    Position position;
+    position.line += lines_before(source)[block] + static_cast<std::uint32_t>(count_line_ends(
+                                                       source.text, block * kBlockSize, offset));
+    std::size_t begin = line_begin(source.text, offset);
+    if (begin == 0 && text.starts_with(kByteOrderMark)) begin = kByteOrderMark.size();
+    for (std::size_t i = begin; i < offset; ++i) {
         const bool continues_code_point = (static_cast<unsigned char>(text[i]) & 0xC0u) == 0x80u;
         if (!continues_code_point) ++position.column;
     }
@@ -64,17 +89,32 @@ Position Sources::position(Span span) const {
 
 std::string_view Sources::line(SourceId id, std::uint32_t number) const {
     const Source& source = sources_[id];
-    const std::vector<std::uint32_t>& starts = line_starts(source);
-    LRAY_ASSERT(number >= 1 && number <= starts.size());
     const std::string_view text = source.text.view();
-    const std::size_t begin = starts[number - 1];
-    std::size_t end = number < starts.size() ? starts[number] : text.size();
-    while (end > begin && (text[end - 1] == '\n' || text[end - 1] == '\r')) --end;
+    const std::vector<std::uint32_t>& table = lines_before(source);
+    LRAY_ASSERT(number >= 1);
+    // The line begins behind the line end number - 1, which stands in the last block with fewer
+    // line ends than that before it.
+    std::size_t begin = 0;
+    if (number > 1) {
+        const auto block = std::lower_bound(table.begin(), table.end(), number - 1) - 1;
+        std::size_t left = number - 1 - *block;
+        begin = static_cast<std::size_t>(block - table.begin()) * kBlockSize;
+        for (; left > 0 && begin < text.size(); ++begin) {
+            if (ends_line(text.data() + begin)) --left;
+        }
+        LRAY_ASSERT(left == 0);
+    }
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    if (begin == 0 && text.starts_with(kByteOrderMark)) begin = kByteOrderMark.size();
     return text.substr(begin, end - begin);
 }
 
 std::uint32_t Sources::line_count(SourceId id) const {
-    return static_cast<std::uint32_t>(line_starts(sources_[id]).size());
+    const Source& source = sources_[id];
+    const std::vector<std::uint32_t>& table = lines_before(source);
+    const std::size_t last_block = (table.size() - 1) * kBlockSize;
+    return 1 + table.back() +
+           static_cast<std::uint32_t>(count_line_ends(source.text, last_block, source.text.size()));
 }
 
 std::string_view Sources::text(Span span) const {
@@ -86,7 +126,7 @@ std::string_view Sources::text(Span span) const {
 
 void Sources::release_text(SourceId id) {
     sources_[id].text = Text{};
-    sources_[id].line_starts.clear();
+    sources_[id].lines_before.clear();
 }
 
 }  // namespace lray

@@ -2,11 +2,13 @@
 // base/file_access.h.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace lray {
@@ -22,6 +24,14 @@ class Text {
 
     /// Makes a text of `size` bytes that are not yet written.
     static Text uninitialized(std::size_t size);
+
+    Text(Text&& other) noexcept
+        : bytes_(std::move(other.bytes_)), size_(std::exchange(other.size_, 0)) {}
+    Text& operator=(Text&& other) noexcept {
+        bytes_ = std::move(other.bytes_);
+        size_ = std::exchange(other.size_, 0);
+        return *this;
+    }
 
     char* data() { return bytes_.get(); }
     const char* data() const { return bytes_.get(); }
@@ -78,25 +88,29 @@ struct Source {
     std::string path;  // as shown to the user
     Text text;
     Span included_from{};  // the include that brought it; nowhere for the main file
-    mutable std::vector<std::uint32_t> line_starts{};  // made on first use
+    mutable std::vector<std::uint32_t> lines_before{};  // of each block; made on first use
 };
 
 /// All source text of a run. References stay valid as files are added.
 class Sources {
  public:
     static constexpr std::size_t kMaxCount = kNoSource;
+    static constexpr std::size_t kMaxTextSize = 0xffffffff;  // what an offset can address
 
-    /// Errors: asserts that fewer than kMaxCount are held; callers check is_full() first.
+    /// Errors: asserts that fewer than kMaxCount are held (callers check is_full() first) and that
+    /// the text is at most kMaxTextSize long.
     SourceId add(std::string path, Text text, Span included_from = {});
 
     bool is_full() const { return sources_.size() >= kMaxCount; }
     std::size_t count() const { return sources_.size(); }
     const Source& operator[](SourceId id) const { return sources_[id]; }
 
-    /// Line and column of the begin of the span.
+    /// Line and column of the begin of the span, which is not nowhere. A byte order mark is no
+    /// column.
     Position position(Span span) const;
 
-    /// The text of a line (1-based) without its line end. `\n`, `\r\n` and `\r` end a line.
+    /// The text of a line (1-based) without its line end and without a byte order mark. `\n`,
+    /// `\r\n` and `\r` end a line.
     std::string_view line(SourceId id, std::uint32_t number) const;
 
     std::uint32_t line_count(SourceId id) const;
@@ -108,7 +122,7 @@ class Sources {
     void release_text(SourceId id);
 
  private:
-    const std::vector<std::uint32_t>& line_starts(const Source& source) const;
+    const std::vector<std::uint32_t>& lines_before(const Source& source) const;
 
     std::deque<Source> sources_;
 };

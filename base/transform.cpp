@@ -1,11 +1,36 @@
 #include "base/transform.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/angle.h"
 #include "base/assert.h"
+#include "base/numerics.h"
 
 namespace lray {
+namespace {
+
+/// Returns the largest magnitude in a column or matrix, +0 for none; NaN entries are passed over.
+double largest_entry(const DVec3& v) {
+    return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+}
+double largest_entry(const DMat3& m) {
+    return std::max(largest_entry(m[0]), std::max(largest_entry(m[1]), largest_entry(m[2])));
+}
+
+/// Returns the matrix divided by its largest entry, a positive factor, so that products of its
+/// entries do not overflow; the zero matrix as it is.
+DMat3 equilibrated(const DMat3& m) {
+    const double largest = largest_entry(m);
+    return largest > 0.0 && std::isfinite(largest) ? m / largest : m;
+}
+
+/// Columns are those of det(m) * inverse(transpose(m)).
+DMat3 cofactors(const DMat3& m) {
+    return {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
+}
+
+}  // namespace
 
 Transform Transform::translation(DVec3 offset) {
     Transform result;
@@ -14,18 +39,20 @@ Transform Transform::translation(DVec3 offset) {
 }
 
 Transform Transform::rotation(DVec3 axis, double angle_degrees) {
-    // Rodrigues' formula. Scaling by the largest component first keeps the length finite.
-    const double largest =
-        std::max(std::fabs(axis.x), std::max(std::fabs(axis.y), std::fabs(axis.z)));
+    // Rodrigues' formula. Scaling by the largest component first keeps the length finite. The
+    // diagonal is written so that a turn about a coordinate axis leaves that axis exactly alone.
+    const double largest = largest_entry(axis);
     LRAY_ASSERT(largest > 0.0);
     const DVec3 u = glm::normalize(axis / largest);
     const double c = cos_degrees(angle_degrees);
     const double s = sin_degrees(angle_degrees);
     const double k = 1.0 - c;
+    const DVec3 uu = u * u;
+    const DVec3 diagonal = uu + (1.0 - uu) * c;
     Transform result;
-    result.linear_[0] = DVec3{c + u.x * u.x * k, u.y * u.x * k + u.z * s, u.z * u.x * k - u.y * s};
-    result.linear_[1] = DVec3{u.x * u.y * k - u.z * s, c + u.y * u.y * k, u.z * u.y * k + u.x * s};
-    result.linear_[2] = DVec3{u.x * u.z * k + u.y * s, u.y * u.z * k - u.x * s, c + u.z * u.z * k};
+    result.linear_[0] = DVec3{diagonal.x, u.y * u.x * k + u.z * s, u.z * u.x * k - u.y * s};
+    result.linear_[1] = DVec3{u.x * u.y * k - u.z * s, diagonal.y, u.z * u.y * k + u.x * s};
+    result.linear_[2] = DVec3{u.x * u.z * k + u.y * s, u.y * u.z * k - u.x * s, diagonal.z};
     return result;
 }
 
@@ -77,27 +104,33 @@ Transform Transform::then(const Transform& next) const {
 DVec3 Transform::normal(DVec3 n) const {
     // The cofactor matrix is det * inverse transpose; its sign is mended so that no mirroring
     // turns the normal inside out. No division: a nearly singular map stays well-behaved.
-    const DMat3& m = linear_;
-    const DMat3 cofactors{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
-    const DVec3 mapped = cofactors * n;
+    const DVec3 mapped = cofactors(equilibrated(linear_)) * n;
     return is_mirrored() ? -mapped : mapped;
 }
 
 std::optional<Transform> Transform::inverse() const {
-    // Equilibrated by the largest entry, so that the determinant neither over- nor underflows for
-    // scales that are representable.
-    double largest = 0.0;
+    // Each column is divided by its largest entry, linear = unit * diagonal(sizes), so that the
+    // determinant neither over- nor underflows, however different the scales along the axes.
+    DVec3 sizes{0.0};
+    DMat3 unit{1.0};
     for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
-            largest = std::max(largest, std::fabs(linear_[column][row]));
-        }
+        sizes[column] = largest_entry(linear_[column]);
+        if (!(sizes[column] > 0.0) || !std::isfinite(sizes[column])) return std::nullopt;
+        unit[column] = linear_[column] / sizes[column];
     }
-    if (!(largest > 0.0) || !std::isfinite(largest)) return std::nullopt;
-    const DMat3 unit = linear_ / largest;
-    const double determinant = glm::determinant(unit);
-    if (determinant == 0.0 || !std::isfinite(determinant)) return std::nullopt;
+    const DMat3 cofactor = cofactors(unit);
+    const double determinant = dot(unit[0], cofactor[0]);
+    // A determinant within its own rounding error may as well be 0. Eight roundings: the three
+    // quotients in a product, its two multiplications, a difference and two sums.
+    const DMat3 magnitude{glm::abs(unit[0]), glm::abs(unit[1]), glm::abs(unit[2])};
+    const DVec3 a = magnitude[1];
+    const DVec3 b = magnitude[2];
+    const double permanent = dot(
+        magnitude[0], DVec3{a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x});
+    if (!(std::fabs(determinant) > gamma<double>(8) * permanent)) return std::nullopt;
     Transform result;
-    result.linear_ = glm::inverse(unit) / largest;
+    result.linear_ = glm::transpose(cofactor) / determinant;
+    for (int column = 0; column < 3; ++column) result.linear_[column] /= sizes;
     result.offset_ = -(result.linear_ * offset_);
     result.scale_ = 1.0 / scale_;
     result.is_similarity_ = is_similarity_;
@@ -111,7 +144,7 @@ double Transform::similarity_scale() const {
 }
 
 bool Transform::is_mirrored() const {
-    return glm::determinant(linear_) < 0.0;
+    return glm::determinant(equilibrated(linear_)) < 0.0;
 }
 
 bool Transform::is_finite() const {

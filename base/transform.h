@@ -38,7 +38,8 @@ class Transform {
     /// of the surface as before, also under a mirroring. Not unit.
     DVec3 normal(DVec3 n) const;
 
-    /// Returns the inverse; empty when the map is singular or its inverse is not finite.
+    /// Returns the inverse; empty when the map is singular, when rounding alone could make it so,
+    /// or when its inverse is not finite.
     std::optional<Transform> inverse() const;
 
     /// Made of translations, rotations and uniform scales alone: a sphere stays a sphere.

@@ -1,6 +1,7 @@
 // Vectors and 3x3 matrices: the only place that includes GLM.
 #pragma once
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>

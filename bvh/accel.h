@@ -26,11 +26,12 @@ class Accel {
     /// Returns the hit with the least (t, primitive id) in the open interval.
     virtual Hit nearest_hit(const Ray& ray, Interval interval, TraceCounts& counts) const = 0;
 
-    /// True if anything is hit in the open interval.
+    /// True if anything that casts a shadow is hit in the open interval.
     virtual bool any_hit(const Ray& ray, Interval interval, TraceCounts& counts) const = 0;
 };
 
-/// Builds a hierarchy over all visible primitives.
+/// Builds a hierarchy over all visible primitives: what is hidden is neither seen nor casts a
+/// shadow.
 std::unique_ptr<Accel> build(const scene::World& world, AccelKind kind);
 
 }  // namespace lray::bvh

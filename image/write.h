@@ -1,6 +1,7 @@
 // Encodes pictures into file formats.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,9 +15,13 @@
 namespace lray::image {
 
 enum class Format : std::uint8_t { ppm, png };
+inline constexpr std::array kFormats{Format::ppm, Format::png};
 
 /// Returns the format of that file extension or name ("png", "ppm", any case); empty if unknown.
 std::optional<Format> find_format(std::string_view name);
+
+/// Returns the name of a format, which is its file extension too.
+std::string_view format_name(Format format);
 
 /// Returns the extension of a path without its dot ("a/b.png" -> "png"), empty if it has none.
 std::string_view extension(std::string_view path);
@@ -25,7 +30,7 @@ std::string_view extension(std::string_view path);
 using Metadata = std::span<const std::pair<std::string, std::string>>;
 
 /// Writes the picture as 8-bit sRGB. The bytes depend on the arguments alone: no time, no version.
-/// Errors: false; out.error() or the returned text in `error` tells why in words.
+/// Errors: false, and `error` tells why in words.
 bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
                  std::string& error);
 

@@ -18,6 +18,11 @@ struct LoadLimits {
     std::uint32_t nesting = 256;                         // --max-nesting
     std::uint32_t include_depth = 64;                    // --max-include-depth
     std::uint32_t files = 10'000;                        // --max-files
+    std::uint64_t steps = 100'000'000;                   // --max-steps, of evaluation
+    std::uint64_t value_bytes = std::uint64_t{1} << 30;  // --max-value-bytes, of what is computed
+
+    /// Off: literal blocks go through the full parser. The scene is the same; for tests.
+    bool use_literal_fast_path = true;
 };
 
 /// Reads, parses, checks and evaluates a scene with all it includes.

@@ -8,6 +8,7 @@
 
 #include "bvh/accel.h"
 #include "image/image.h"
+#include "render/film.h"
 #include "scene/camera.h"
 #include "scene/world.h"
 
@@ -22,6 +23,7 @@ struct PixelRect {
 
     std::uint32_t width() const { return x1 - x0; }
     std::uint32_t height() const { return y1 - y0; }
+    std::uint64_t pixel_count() const { return std::uint64_t{width()} * height(); }
 };
 
 enum class PixelPosition : std::uint8_t { center };
@@ -42,16 +44,19 @@ struct RenderProgress {
 struct RenderResult {
     image::Image image{};  // of the crop's size
     bvh::TraceCounts counts{};
-    bool is_complete = true;  // false if cancelled: pixels not reached are black
+    FilmCounts samples{};
+    std::uint32_t thread_count = 1;  // that were used
+    bool is_complete = true;         // false if cancelled: pixels not reached are black
 };
+
+using ProgressFunction = std::function<void(const RenderProgress&)>;
 
 /// Renders one view, flat: the colour of the object hit, or the background. The picture does not
 /// depend on the number of threads; a crop is the same pixels of the whole.
-/// `on_progress` is called from render threads, one at a time, at most some ten times a second.
-/// `cancel` is polled per pixel.
+/// `on_progress` (may be empty) is called from render threads, one at a time, at most some ten
+/// times a second. `cancel` is polled per pixel.
 RenderResult render(const scene::World& world, const bvh::Accel& accel, const scene::Camera& camera,
-                    const RenderOptions& options,
-                    const std::function<void(const RenderProgress&)>& on_progress,
+                    const RenderOptions& options, const ProgressFunction& on_progress,
                     const std::atomic<bool>& cancel);
 
 }  // namespace lray::render

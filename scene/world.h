@@ -61,8 +61,11 @@ struct Triangle {
 
 /// A quadrilateral with corners p00, p10, p11, p01 (by u, v), met as the two triangles
 /// (p00, p10, p11) and (p00, p11, p01): rectangles that share corners leave no gap between them.
+/// The front is where the corners run counter-clockwise, of a mirrored one where they run
+/// clockwise.
 struct Rectangle {
     std::array<Vec3, 4> corners{};
+    bool is_mirrored = false;
 };
 
 struct Sphere {

@@ -1,0 +1,455 @@
+// The table of codes: what `--explain` says of each, with an example that is wrong and one that is
+// right.
+#include "base/diagnostic_codes.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "base/assert.h"
+
+namespace lray {
+namespace {
+
+#define LRAY_CODE(id) Code::id, #id
+
+// clang-format off
+constexpr CodeInfo kInfos[] = {
+{LRAY_CODE(E0001), "unexpected character",
+ "This character has no meaning in a scene. It may have slipped in with text copied from elsewhere.",
+ "sphere { radius: 1 ? 2 }",
+ "sphere { radius: 1 }"},
+{LRAY_CODE(E0002), "not UTF-8",
+ "Scenes are UTF-8 text. These bytes are not; the file may be in an older encoding such as Latin-1, "
+ "or in UTF-16. Save it as UTF-8.",
+ "info { title: \"caf\xe9\" }",
+ "info { title: \"caf\xc3\xa9\" }"},
+{LRAY_CODE(E0003), "binary file",
+ "A scene is text, and this file holds NUL bytes: it is a picture, an archive or something else "
+ "binary. Pictures and meshes are named by properties, not included.",
+ "include \"floor.png\"",
+ "include \"floor.lrs\""},
+{LRAY_CODE(E0004), "name with a character outside ASCII",
+ "Names consist of the letters a to z and A to Z, digits and `_`. Some letters of other alphabets "
+ "look the same as Latin ones, so that two names could look alike and differ. Strings may hold any "
+ "text.",
+ "let b\xc3\xa4ll = sphere { }",
+ "let ball = sphere { }"},
+{LRAY_CODE(E0005), "unclosed string",
+ "A string ends with `\"` on the line where it begins. A line break inside is written `\\n`.",
+ "info { title: \"Four balls }",
+ "info { title: \"Four balls\" }"},
+{LRAY_CODE(E0006), "`#` is no comment",
+ "Comments start with `//`, or stand between `/*` and `*/`. A `#` begins a colour, like `#ff8000`.",
+ "# my scene\nsphere { }",
+ "// my scene\nsphere { }"},
+{LRAY_CODE(E0007), "unknown unit",
+ "A number may carry a unit: deg, rad or turn for angles, m, cm, mm or km for lengths. It stands "
+ "directly behind the number.",
+ "sphere { radius: 30px }",
+ "sphere { radius: 30cm }"},
+{LRAY_CODE(E0008), "malformed number",
+ "Numbers look like 12, 0.5, 1e-3, 1_000 or 0xff. There is one decimal point, and it is a point.",
+ "sphere { radius: 1.2.3 }",
+ "sphere { radius: 1.23 }"},
+{LRAY_CODE(E0009), "unknown escape in a string",
+ "After a backslash in a string comes one of n, t, \", \\ or u{...} with a hexadecimal code point. "
+ "In paths write `/`.",
+ "info { title: \"100\\% glass\" }",
+ "info { title: \"100% glass\" }"},
+{LRAY_CODE(E0010), "malformed colour",
+ "A colour is `#` and 3, 6 or 8 hexadecimal digits: #rgb, #rrggbb or #rrggbbaa.",
+ "let c = #12345",
+ "let c = #123456"},
+{LRAY_CODE(E0011), "unclosed comment",
+ "A comment that begins with `/*` ends with `*/`. Comments nest: each `/*` needs a `*/` of its own.",
+ "/* the floor\nrectangle { }",
+ "/* the floor */\nrectangle { }"},
+
+{LRAY_CODE(E0101), "unclosed bracket",
+ "A `(` or `[` needs its `)` or `]`. The message points at the opening bracket; the closing one is "
+ "missing somewhere after it, or is of the other kind.",
+ "sphere { center: [0, 1, 0 }",
+ "sphere { center: [0, 1, 0] }"},
+{LRAY_CODE(E0102), "name expected",
+ "After `let` comes a name, made of letters, digits and `_`, and not beginning with a digit.",
+ "let 2nd = sphere { }",
+ "let second = sphere { }"},
+{LRAY_CODE(E0103), "unclosed brace",
+ "A `{` needs its `}`. Where the indentation tells which block was left open, the message points "
+ "there.",
+ "group {\n  sphere { radius: 1\n}",
+ "group {\n  sphere { radius: 1 }\n}"},
+{LRAY_CODE(E0104), "closing bracket that closes nothing",
+ "There is no open bracket of this kind here. Perhaps there is one too many, or the opening one was "
+ "deleted.",
+ "sphere { } }",
+ "sphere { }"},
+{LRAY_CODE(E0105), "separator missing",
+ "Items in braces are separated by a new line, `,` or `;`. After an item that ends in `}` it may be "
+ "left out.",
+ "sphere { radius: 1 center: [0, 0, 0] }",
+ "sphere { radius: 1, center: [0, 0, 0] }"},
+{LRAY_CODE(E0106), "`,` or closing bracket expected",
+ "Arguments in `( )` and elements in `[ ]` are separated by commas.",
+ "sphere { center: [0 1 0] }",
+ "sphere { center: [0, 1, 0] }"},
+{LRAY_CODE(E0107), "name that does nothing",
+ "A name at the begin of an item is followed by `:` and a value, to set a property, or by `{`, to "
+ "make a thing. To give something a name, write `let name = ...`.",
+ "sphere { radius 1 }",
+ "sphere { radius: 1 }"},
+{LRAY_CODE(E0108), "item cannot start so",
+ "An item starts with a name or a keyword: a property `name: value`, a thing `name { }`, a "
+ "definition `let name = ...` or an `include`. Numbers, strings and brackets are values and stand "
+ "behind one of these.",
+ "sphere { [0, 1, 0] }",
+ "sphere { center: [0, 1, 0] }"},
+{LRAY_CODE(E0109), "value expected",
+ "Here a value is missing: a number, a string, a colour, a list like [0, 1, 0], a name or a block.",
+ "sphere { radius: }",
+ "sphere { radius: 1 }"},
+{LRAY_CODE(E0110), "chained comparison",
+ "A comparison has two sides. Join two of them with `and`.",
+ "let x = 0.5\nlet r = if 0 < x < 1 then 1 else 2",
+ "let x = 0.5\nlet r = if 0 < x and x < 1 then 1 else 2"},
+{LRAY_CODE(E0111), "`=` in a condition",
+ "`=` gives a name to a value. To compare, use `==`.",
+ "let a = 1\nlet r = if a = 1 then 1 else 2",
+ "let a = 1\nlet r = if a == 1 then 1 else 2"},
+{LRAY_CODE(E0112), "operator of another language",
+ "The operators are + - * / % ^, == != < <= > >=, and the words `and`, `or`, `not`.",
+ "let a = 1\nlet r = if a > 0 && a < 2 then 1 else 2",
+ "let a = 1\nlet r = if a > 0 and a < 2 then 1 else 2"},
+{LRAY_CODE(E0113), "line starts with an operator",
+ "A line that is complete ends its item. To go on in the next line, end this one with the operator.",
+ "let y = 2\n  * 3",
+ "let y = 2 *\n  3"},
+{LRAY_CODE(E0114), "keyword as a name",
+ "This word belongs to the language and cannot be the name of anything else.",
+ "let include = 1",
+ "let included = 1"},
+{LRAY_CODE(E0115), "nested too deeply",
+ "Brackets, blocks and operators may be nested 256 deep. Scenes written by hand never are; for one "
+ "that a program wrote, raise the limit with --max-nesting.",
+ "let x = ((((1))))  // with 300 brackets",
+ "let x = 1"},
+{LRAY_CODE(E0116), "braces missing",
+ "The body of a block stands in braces, and `{` on the line of its head.",
+ "sphere\n{ radius: 1 }",
+ "sphere {\n  radius: 1\n}"},
+{LRAY_CODE(E0117), "incomplete `if`",
+ "`if`, `then` and `else` belong together: a choice between two values needs all three.",
+ "let r = if 1 < 2 then 3",
+ "let r = if 1 < 2 then 3 else 4"},
+{LRAY_CODE(E0118), "not allowed here",
+ "Some items have their places: `include` stands at the top level or in a group, `lrs` with a "
+ "version at the very begin.",
+ "sphere {\n  include \"parts.lrs\"\n}",
+ "group {\n  include \"parts.lrs\"\n}"},
+{LRAY_CODE(E0119), "`break` or `return` outside",
+ "`break` and `continue` belong in a loop, `return` in a function.",
+ "let r = 1\nbreak",
+ "let r = 1"},
+{LRAY_CODE(E0120), "not available in this version",
+ "This part of the language is planned but does not exist in this version of lray: loops, functions "
+ "and components, lights, textures, and the shapes torus, heightfield and terrain.",
+ "torus { radius: 1, tube: 0.25 }",
+ "cylinder { from: [0, -0.25, 0], to: [0, 0.25, 0], radius: 1 }"},
+
+{LRAY_CODE(E0201), "unknown name",
+ "Nothing of this name is defined here. A name given with `let` exists from its line to the end of "
+ "the braces it stands in.",
+ "spere { radius: 1 }",
+ "sphere { radius: 1 }"},
+{LRAY_CODE(E0202), "used before its definition",
+ "A name can be used after the line that defines it, not before.",
+ "sphere { radius: r }\nlet r = 1",
+ "let r = 1\nsphere { radius: r }"},
+{LRAY_CODE(E0203), "already defined",
+ "In the same braces a name is given once; the types of the language cannot be redefined at all.",
+ "let a = 1\nlet a = 2",
+ "let a = 1\nlet b = 2"},
+{LRAY_CODE(E0204), "not assignable",
+ "`let` gives a name to a value once and for all. A property is set with `:`.",
+ "sphere { radius = 1 }",
+ "sphere { radius: 1 }"},
+
+{LRAY_CODE(E0301), "wrong type",
+ "The property, operator or function needs a value of another type.",
+ "sphere { radius: \"1\" }",
+ "sphere { radius: 1 }"},
+{LRAY_CODE(E0302), "lists of different lengths",
+ "Lists are added, subtracted, multiplied and divided element by element, so both need the same "
+ "number of elements.",
+ "let v = [1, 2, 3] + [1, 2]",
+ "let v = [1, 2, 3] + [1, 2, 0]"},
+{LRAY_CODE(E0303), "wrong number of elements",
+ "A point or direction has three numbers, a size in a plane has two.",
+ "sphere { center: [0, 1] }",
+ "sphere { center: [0, 1, 0] }"},
+{LRAY_CODE(E0304), "out of range",
+ "The number is outside of what makes sense here: a radius is greater than 0, a field of view is "
+ "between 0 and 180 degrees.",
+ "sphere { radius: -1 }",
+ "sphere { radius: 1 }"},
+{LRAY_CODE(E0305), "argument missing",
+ "The function needs more arguments than it was given.",
+ "let x = clamp(5, 0)",
+ "let x = clamp(5, 0, 1)"},
+{LRAY_CODE(E0306), "argument too many",
+ "The function takes fewer arguments, or has no parameter of this name.",
+ "let x = sqrt(2, 3)",
+ "let x = sqrt(2)"},
+{LRAY_CODE(E0307), "not a function",
+ "Only functions are called with `( )`.",
+ "let r = 2\nlet x = r(3)",
+ "let r = 2\nlet x = r * 3"},
+{LRAY_CODE(E0308), "whole number expected",
+ "Counts and indices are whole numbers. Nothing is rounded silently: use floor() or round().",
+ "render { samples: 2.5 }",
+ "render { samples: 3 }"},
+{LRAY_CODE(E0309), "colour where a point is needed",
+ "Three numbers can be a colour, but a colour is never a point or a direction.",
+ "sphere { center: red }",
+ "sphere { center: [1, 0, 0] }"},
+{LRAY_CODE(E0310), "transform cannot be inverted",
+ "A scale of 0, or a matrix that flattens space, leaves nothing to hit. For a flat shape use "
+ "rectangle, disk or triangle.",
+ "box { scale: [1, 0, 1] }",
+ "rectangle { size: [1, 1] }"},
+{LRAY_CODE(E0311), "view without a direction",
+ "A camera looks from `position` to `look_at`; these must differ, and `up` must not point along the "
+ "view.",
+ "camera { position: [0, 0, 5], look_at: [0, 0, 5] }",
+ "camera { position: [0, 0, 5], look_at: [0, 0, 0] }"},
+
+{LRAY_CODE(E0401), "unknown property",
+ "This kind of thing has no property of this name.",
+ "sphere { radios: 1 }",
+ "sphere { radius: 1 }"},
+{LRAY_CODE(E0402), "property set twice",
+ "A property is set once in its braces. Only the steps of a transform (translate, rotate_x, scale "
+ "and so on) may be repeated.",
+ "sphere {\n  radius: 1\n  radius: 2\n}",
+ "sphere {\n  radius: 2\n}"},
+{LRAY_CODE(E0403), "unknown choice",
+ "The property takes one of a few words, and this is not one of them.",
+ "let m = material { model: \"phongg\" }",
+ "let m = material { model: \"phong\" }"},
+{LRAY_CODE(E0405), "second `render` or `info`",
+ "A scene has one `render` block and one `info` block, with all it includes.",
+ "render { samples: 4 }\nrender { max_depth: 3 }",
+ "render { samples: 4, max_depth: 3 }"},
+{LRAY_CODE(E0406), "required property missing",
+ "Without this property the thing is not defined.",
+ "triangle { a: [0, 0, 0], b: [1, 0, 0] }",
+ "triangle { a: [0, 0, 0], b: [1, 0, 0], c: [0, 1, 0] }"},
+{LRAY_CODE(E0407), "a block called like a function",
+ "Blocks take their properties by name, between braces. Parentheses call functions.",
+ "sphere(radius: 2)",
+ "sphere { radius: 2 }"},
+{LRAY_CODE(E0408), "cannot be placed",
+ "Only shapes, groups and meshes can stand in a scene. A material is given to a shape with "
+ "`material: name`; numbers and lists are values of properties.",
+ "let m = material { diffuse: red }\nm { }",
+ "let m = material { diffuse: red }\nsphere { material: m }"},
+{LRAY_CODE(E0409), "no such field",
+ "The value has no field of this name. Vectors have .x .y .z .w, colours .r .g .b .a.",
+ "let p = [1, 2, 3]\nlet q = p.w",
+ "let p = [1, 2, 3]\nlet q = p.z"},
+{LRAY_CODE(E0410), "property outside a block",
+ "A property belongs to the braces of the thing it describes.",
+ "radius: 1\nsphere { }",
+ "sphere { radius: 1 }"},
+{LRAY_CODE(E0411), "conflicting properties",
+ "These properties say the same in two ways; give one of them.",
+ "rectangle { size: [1, 1], corner: [0, 0, 0] }",
+ "rectangle { size: [1, 1] }"},
+{LRAY_CODE(E0412), "child not allowed here",
+ "Things with children are groups. A shape takes only a material in its braces.",
+ "sphere {\n  sphere { radius: 0.5 }\n}",
+ "group {\n  sphere { }\n  sphere { radius: 0.5 }\n}"},
+
+{LRAY_CODE(E0503), "outside of the domain",
+ "The operation has no number as its result: a division by zero, the root of a negative number, or "
+ "something too large for a number.",
+ "let n = 0\nlet z = 1 / n",
+ "let n = 2\nlet z = 1 / n"},
+{LRAY_CODE(E0504), "index out of range",
+ "The elements of a list are counted from 0, so the last of three is number 2.",
+ "let xs = [10, 20, 30]\nlet x = xs[3]",
+ "let xs = [10, 20, 30]\nlet x = xs[2]"},
+{LRAY_CODE(E0512), "too many steps",
+ "Evaluating the scene takes more steps than the limit allows, so that no scene can keep a machine "
+ "busy for ever; raise it with --max-steps.",
+ "let a = [1, true]\nlet b = [a, a]\nlet c = [b, b]  // and so on, forty times, then: c == d",
+ "let c = [1, true]\nlet same = c == [1, true]"},
+{LRAY_CODE(E0513), "too many things",
+ "The scene holds more primitives than the limit allows. The limit keeps a small file from filling "
+ "the memory; raise it with --max-primitives.",
+ "// more than 50 000 000 of these:\nsphere { }",
+ "mesh { file: \"cloud.ply\" }  // one mesh, used several times, is stored once"},
+{LRAY_CODE(E0515), "includes nested too deeply or too many",
+ "Files may include others 64 deep, and 10 000 in all; raise the limits with --max-include-depth "
+ "and --max-files.",
+ "// level1.lrs, which includes level2.lrs, and so on to level65.lrs\ninclude \"level2.lrs\"",
+ "include \"level2.lrs\"\ninclude \"level3.lrs\""},
+{LRAY_CODE(E0516), "out of memory, or file too large",
+ "A file is larger than its limit (--max-scene-bytes, --max-mesh-bytes), or the values of the scene "
+ "take more memory than theirs (--max-value-bytes).",
+ "mesh { file: \"whole-city.obj\" }  // 9 GiB",
+ "mesh { file: \"one-street.obj\" }"},
+
+{LRAY_CODE(E0601), "file not found",
+ "A path is relative to the file it is written in; after that the directories given by -I and "
+ "LRAY_PATH are searched.",
+ "mesh { file: \"buny.obj\" }  // the file is bunny.obj",
+ "mesh { file: \"bunny.obj\" }"},
+{LRAY_CODE(E0602), "file includes itself",
+ "The chain of includes leads back to a file that is still being read.",
+ "// a.lrs\ninclude \"a.lrs\"",
+ "// a.lrs\ninclude \"b.lrs\""},
+{LRAY_CODE(E0603), "newer version of the language",
+ "The scene says that it needs a newer version of the language than this program knows.",
+ "lrs 2.0\nsphere { }",
+ "lrs 1.0\nsphere { }"},
+{LRAY_CODE(E0604), "file cannot be read",
+ "The file is there, but it is a directory or a device, or the system does not let it be read.",
+ "include \".\"",
+ "include \"parts.lrs\""},
+{LRAY_CODE(E0605), "file outside of the scene's directories",
+ "A scene may read files below its own directory and those named by -I, --allow and LRAY_PATH, so "
+ "that a scene from a stranger cannot reach yours. If you trust it, allow the directory.",
+ "mesh { file: \"/home/me/bunny.obj\" }",
+ "mesh { file: \"bunny.obj\" }  // or run lray with --allow /home/me"},
+
+{LRAY_CODE(E0701), "mesh file not understood",
+ "The line of the mesh file is not what its format says: for example a vertex without three numbers.",
+ "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3",
+ "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
+{LRAY_CODE(E0702), "vertex that does not exist",
+ "A face names a vertex, normal or texture coordinate that the mesh does not have. In OBJ files "
+ "they count from 1, in `triangles:` from 0.",
+ "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[1, 2, 3]]\n}",
+ "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[0, 1, 2]]\n}"},
+{LRAY_CODE(E0704), "mesh without faces",
+ "There is nothing to see: the mesh, or the part of it that was asked for, has no faces.",
+ "v 0 0 0\nv 1 0 0\nv 0 1 0",
+ "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
+{LRAY_CODE(E0705), "unsupported file format",
+ "lray does not read this kind of file, or this feature of it.",
+ "mesh { file: \"chair.blend\" }",
+ "mesh { file: \"chair.obj\" }"},
+
+{LRAY_CODE(W1102), "hides an outer name",
+ "Inside these braces the name means the new value; the outer one cannot be reached.",
+ "let r = 1\ngroup {\n  let r = 2\n  sphere { radius: r }\n}",
+ "let r = 1\ngroup {\n  let inner_r = 2\n  sphere { radius: inner_r }\n}"},
+
+{LRAY_CODE(W1201), "no area",
+ "The corners lie on a line, so no ray can hit the shape. It is left out.",
+ "triangle { a: [0, 0, 0], b: [1, 1, 1], c: [2, 2, 2] }",
+ "triangle { a: [0, 0, 0], b: [1, 1, 1], c: [2, 2, 0] }"},
+
+{LRAY_CODE(W1301), "scale after translate",
+ "The steps of a transform are done in the order written, so this scale also multiplies the "
+ "distance moved before. Usually the scale comes first.",
+ "sphere { translate: [3, 0, 0], scale: 2 }",
+ "sphere { scale: 2, translate: [3, 0, 0] }"},
+{LRAY_CODE(W1302), "angle looks like radians",
+ "Angles are degrees, and this number is a well-known fraction of pi. Write degrees, or add the "
+ "unit `rad`.",
+ "box { rotate_y: 3.14159 }",
+ "box { rotate_y: 180 }"},
+
+{LRAY_CODE(W1401), "property the model does not use",
+ "The reflection model of this material ignores the property.",
+ "let m = material { model: \"phong\", roughness: 0.3 }",
+ "let m = material { model: \"cook_torrance\", roughness: 0.3 }"},
+{LRAY_CODE(W1402), "gives back more light than it gets",
+ "diffuse, reflect and transmit together exceed 1, so that the surface makes light of its own.",
+ "let m = material { diffuse: 0.8, reflect: 0.5 }",
+ "let m = material { diffuse: 0.5, reflect: 0.5 }"},
+{LRAY_CODE(W1403), "colour looks like 0 to 255",
+ "The numbers of a colour run from 0 to 1. Colours from a colour picker are written #rrggbb.",
+ "let m = material { diffuse: [255, 0, 0] }",
+ "let m = material { diffuse: #ff0000 }"},
+{LRAY_CODE(W1404), "`ior` below 1",
+ "No ordinary matter has an index of refraction below 1: water has 1.33, glass 1.5.",
+ "let m = material { transmit: 0.9, diffuse: 0, ior: 0.67 }",
+ "let m = material { transmit: 0.9, diffuse: 0, ior: 1.5 }"},
+
+{LRAY_CODE(W1501), "no camera",
+ "The scene has no camera; one is placed so that everything is in view.",
+ "sphere { }",
+ "camera { position: [0, 2, 6] }\nsphere { }"},
+{LRAY_CODE(W1503), "empty scene",
+ "The scene holds nothing to see. A thing made with `let` is not yet placed: write its name and "
+ "braces.",
+ "let ball = sphere { }",
+ "let ball = sphere { }\nball { }"},
+
+{LRAY_CODE(W1603), "backslash in a path",
+ "The separator in paths is `/`, on every system. The backslash was read as one.",
+ "mesh { file: \"meshes\\\\bunny.obj\" }",
+ "mesh { file: \"meshes/bunny.obj\" }"},
+{LRAY_CODE(W1604), "letter case of a file name",
+ "The file was found only by ignoring upper and lower case. On another system it will not be found.",
+ "mesh { file: \"Bunny.OBJ\" }  // the file is bunny.obj",
+ "mesh { file: \"bunny.obj\" }"},
+{LRAY_CODE(W1605), "absolute path",
+ "The path starts at the root of this machine's file system, so the scene works only here.",
+ "mesh { file: \"/home/me/scene/bunny.obj\" }",
+ "mesh { file: \"bunny.obj\" }"},
+
+{LRAY_CODE(W1702), "faces left out",
+ "Some faces of the mesh have no area or repeat a vertex; they are left out.",
+ "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2",
+ "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
+};
+// clang-format on
+
+#undef LRAY_CODE
+
+constexpr bool is_indexed_by_code() {
+    for (std::size_t i = 0; i < std::size(kInfos); ++i) {
+        if (kInfos[i].code != static_cast<Code>(i)) return false;
+    }
+    return true;
+}
+static_assert(is_indexed_by_code(), "an entry is missing, doubled or out of order");
+static_assert(std::size(kInfos) == kCodeCount, "the last codes have no entry");
+
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+}  // namespace
+
+std::span<const CodeInfo> code_infos() {
+    return kInfos;
+}
+
+const CodeInfo& code_info(Code code) {
+    const auto index = static_cast<std::size_t>(code);
+    LRAY_ASSERT(index < std::size(kInfos));
+    return kInfos[index];
+}
+
+std::optional<Code> find_code(std::string_view id) {
+    for (const CodeInfo& info : kInfos) {
+        const bool is_equal = std::equal(id.begin(), id.end(), info.id.begin(), info.id.end(),
+                                         [](char a, char b) { return upper(a) == b; });
+        if (is_equal) return info.code;
+    }
+    return std::nullopt;
+}
+
+bool is_limit(Code code) {
+    constexpr std::array kLimits = {Code::E0115, Code::E0512, Code::E0513, Code::E0515,
+                                    Code::E0516};
+    return std::find(kLimits.begin(), kLimits.end(), code) != kLimits.end();
+}
+
+}  // namespace lray

@@ -1,0 +1,31 @@
+// The surface at a hit: position with its error, normal, and where rays that leave it begin.
+#pragma once
+
+#include "base/ray.h"
+#include "bvh/hit.h"
+#include "scene/world.h"
+
+namespace lray::bvh {
+
+/// Space: world. `error` bounds, per axis, how far `position` is from the surface that the kernels
+/// meet, their own rounding and the curvature of the surface over that distance included.
+/// `normal` is unit and outward: the counter-clockwise side of triangles, +normal of flat shapes,
+/// away from the inside of solids.
+struct SurfacePoint {
+    Vec3 position{};
+    Vec3 error{};
+    Vec3 normal{};
+};
+
+/// Returns the surface at a hit that `ray` found. The crossing is worked out again in double and
+/// rounded once: the position does not suffer from t being a float.
+/// Errors: asserts that the hit is not none.
+SurfacePoint surface_at(const scene::World& world, const Ray& ray, const Hit& hit);
+
+/// Returns where a ray in that direction begins, so that it does not meet the surface it leaves:
+/// just off it, on the side the direction points to. Holds for directions further than 2^-23 from
+/// the tangent plane, which is all the normal can tell.
+/// Source: Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., sec. 6.8.6.
+Vec3 offset_origin(Vec3 position, Vec3 error, Vec3 normal, Vec3 direction);
+
+}  // namespace lray::bvh

@@ -1,0 +1,102 @@
+// lray: the whole pipeline, from the command line to the picture.
+#include <exception>
+#include <new>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "bvh/accel.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/options.h"
+#include "cli/run.h"
+#include "cli/stats.h"
+#include "cli/view.h"
+#include "parser/load.h"
+#include "scene/flatten.h"
+
+namespace lray::cli {
+
+namespace {
+
+ExitCode check_or_render(const Options& options) {
+    Sources sources;
+    Diagnostics diagnostics;
+    FileAccess files = file_access(options);
+    StageTimes times;
+    Stopwatch watch;
+
+    const auto scene =
+        parser::load(options.scene_path, options.load_limits, files, sources, diagnostics);
+    times.load = watch.lap();
+    const auto world =
+        scene ? scene::flatten(*scene, options.flatten_limits, diagnostics) : std::nullopt;
+    times.flatten = watch.lap();
+    LRAY_ASSERT(world || diagnostics.has_errors());
+    if (const auto end = report_diagnostics(diagnostics, sources, options)) return *end;
+
+    const auto chosen = choose_view(*scene, *world, options);
+    if (const auto* failure = std::get_if<Failure>(&chosen)) return report_failure(*failure);
+    const View& view = std::get<View>(chosen);
+    print_notes(view, *world, options);
+
+    catch_interrupts();
+    auto opened = open_output(options);  // before the work: a wrong name is told at once
+    if (const auto* failure = std::get_if<Failure>(&opened)) return report_failure(*failure);
+
+    watch.lap();
+    const auto accel = bvh::build(*world, options.accel);
+    times.build = watch.lap();
+    const render::RenderResult result = render_view(view, *world, *accel, options);
+    times.render = watch.lap();
+    const ExitCode exit_code =
+        save_picture(std::move(std::get<OutputFile>(opened)), result, scene->info, options);
+    times.write = watch.lap();
+    if (options.stats) print_message(format_stats(*world, options.accel, result, times));
+    return exit_code;
+}
+
+ExitCode run(std::span<const char* const> arguments) {
+    const auto parsed = parse_options(arguments);
+    if (const auto* failure = std::get_if<Failure>(&parsed)) return report_failure(*failure);
+    const Options& options = std::get<Options>(parsed);
+    switch (options.mode) {
+        case Mode::render:
+        case Mode::check:
+            return check_or_render(options);
+        case Mode::explain:
+            return explain(options.explained);
+        case Mode::help:
+            return print_requested(help_text());
+        case Mode::version:
+            return print_requested(version_text());
+    }
+    LRAY_ASSERT(false);
+}
+
+constexpr const char* kOutOfMemory = "there is not enough memory";
+constexpr const char* kLessMemory = "a smaller `--size` or a `--crop` needs less";
+
+/// Nothing thrown leaves the program.
+ExitCode run_safely(std::span<const char* const> arguments) {
+    try {
+        return run(arguments);
+    } catch (const std::bad_alloc&) {
+        return report_failure({ExitCode::limit, kOutOfMemory, kLessMemory});
+    } catch (const std::length_error&) {
+        return report_failure({ExitCode::limit, kOutOfMemory, kLessMemory});
+    } catch (const std::exception& error) {
+        return report_failure({ExitCode::internal, "internal error", error.what()});
+    }
+}
+
+}  // namespace
+
+}  // namespace lray::cli
+
+int main(int argc, char** argv) {
+    lray::cli::ignore_broken_pipes();
+    const std::span arguments(argv, static_cast<std::size_t>(argc));
+    return static_cast<int>(lray::cli::run_safely(arguments.subspan(argc > 0 ? 1 : 0)));
+}

@@ -1,0 +1,256 @@
+// Reads the command line with getopt_long_only, which alone takes `-ps 16`, and refuses the
+// abbreviations that getopt would accept.
+#include "cli/options.h"
+
+#include <fmt/format.h>
+#include <getopt.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "base/did_you_mean.h"
+#include "cli/option_table.h"
+
+namespace lray::cli {
+
+namespace {
+
+constexpr const char* kUsage = "lray -n 1 -i scene.lrs -o image.ppm";
+constexpr const char* kSeeHelp = "`lray --help` shows all options";
+constexpr std::size_t kMaxSuggestions = 3;
+
+Failure usage_error(std::string message, std::string help = kSeeHelp) {
+    return {ExitCode::usage, std::move(message), std::move(help)};
+}
+
+std::vector<const OptionSpec*> all_specs() {
+    std::vector<const OptionSpec*> specs;
+    for (const OptionGroup& group : option_groups()) {
+        for (const OptionSpec& spec : group.options) specs.push_back(&spec);
+    }
+    return specs;
+}
+
+/// "--thread=4" -> "thread".
+std::string_view name_of(std::string_view argument) {
+    argument.remove_prefix(argument.starts_with("--") ? 2 : 1);
+    return argument.substr(0, argument.find('='));
+}
+
+Failure unknown_option(std::string_view argument, std::span<const OptionSpec* const> specs) {
+    const std::string_view name = name_of(argument);
+    std::vector<std::string_view> names;
+    for (const OptionSpec* spec : specs) names.emplace_back(spec->name);
+    // An abbreviation is more likely than a slip, in so far as it is one.
+    std::vector<std::string_view> meant;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(meant),
+                 [&](std::string_view full) { return !name.empty() && full.starts_with(name); });
+    if (meant.empty()) meant = nearest_names(name, names);
+    if (meant.size() > kMaxSuggestions) meant.resize(kMaxSuggestions);
+    std::string help = kSeeHelp;
+    if (!meant.empty()) {
+        help = "did you mean ";
+        for (std::size_t i = 0; i < meant.size(); ++i) {
+            const bool is_last = i + 1 == meant.size();
+            const char* const joint = i == 0 ? "" : is_last ? " or " : ", ";
+            help += fmt::format("{}`{}`", joint, spelled(meant[i]));
+        }
+        help += "?";
+    }
+    return usage_error(fmt::format("unknown option `{}`", argument.substr(0, argument.find('='))),
+                       std::move(help));
+}
+
+/// Walks over the arguments with getopt; fills in what each says by itself.
+class ArgumentReader {
+ public:
+    explicit ArgumentReader(std::span<const char* const> arguments) : specs_(all_specs()) {
+        arguments_.push_back(program_name_.data());
+        // getopt's interface asks for char*, but it writes only when it permutes, which the "-" in
+        // its option string turns off.
+        for (const char* argument : arguments) arguments_.push_back(const_cast<char*>(argument));
+        count_ = static_cast<int>(arguments_.size());
+        arguments_.push_back(nullptr);
+        for (std::size_t i = 0; i < specs_.size(); ++i) {
+            const int has_value = specs_[i]->takes_value() ? required_argument : no_argument;
+            table_.push_back(
+                {specs_[i]->name, has_value, nullptr, kFirstSpec + static_cast<int>(i)});
+        }
+        table_.push_back({nullptr, 0, nullptr, 0});
+    }
+
+    std::optional<Failure> read(Options& options) {
+        opterr = 0;
+        optind = 0;  // starts glibc's scanner anew
+        for (int at = 1;; at = optind) {
+            const int found =
+                getopt_long_only(count_, arguments_.data(), "-:", table_.data(), nullptr);
+            if (found == -1) break;
+            const std::string_view argument = arguments_[static_cast<std::size_t>(at)];
+            std::optional<Failure> failure = found == kPlainArgument
+                                                 ? take_scene(options, argument)
+                                                 : take_option(options, argument, found);
+            if (failure) return failure;
+        }
+        for (; optind < count_; ++optind) {  // after `--`
+            if (auto failure = take_scene(options, arguments_[static_cast<std::size_t>(optind)])) {
+                return failure;
+            }
+        }
+        return std::nullopt;
+    }
+
+ private:
+    static constexpr int kPlainArgument = 1;  // getopt's value for what is not an option
+    static constexpr int kFirstSpec = 1000;   // beyond any character
+
+    std::optional<Failure> take_scene(Options& options, std::string_view argument) {
+        if (argument.empty()) return usage_error("the scene's file name is empty");
+        if (!options.scene_path.empty()) return two_scenes(options.scene_path, argument);
+        is_scene_plain_ = true;
+        options.scene_path = argument;
+        return std::nullopt;
+    }
+
+    static Failure two_scenes(std::string_view first, std::string_view second) {
+        return usage_error(fmt::format("two scenes are given, `{}` and `{}`", first, second),
+                           "one at a time; a name with spaces needs quotes");
+    }
+
+    std::optional<Failure> take_option(Options& options, std::string_view argument, int found) {
+        // getopt takes any unambiguous beginning of a name; only whole names count here.
+        const auto same_name = [&](const OptionSpec* spec) {
+            return spec->name == name_of(argument);
+        };
+        const auto spec = std::find_if(specs_.begin(), specs_.end(), same_name);
+        if (spec == specs_.end()) return unknown_option(argument, specs_);
+        const std::string name = spelled((*spec)->name);
+        if (found == ':') {
+            return usage_error(
+                fmt::format("`{}` needs a value: `{} {}`", name, name, (*spec)->value));
+        }
+        if (found == '?') return usage_error(fmt::format("`{}` takes no value", name));
+        const std::string scene_before = options.scene_path;
+        std::string wrong = (*spec)->apply(options, optarg != nullptr ? optarg : "");
+        if (!wrong.empty()) return usage_error(fmt::format("`{}` {}", name, wrong));
+        // The last -i counts, but a scene without its option is never given up for another.
+        if (is_scene_plain_ && options.scene_path != scene_before) {
+            return two_scenes(scene_before, options.scene_path);
+        }
+        return std::nullopt;
+    }
+
+    std::vector<const OptionSpec*> specs_;
+    std::string program_name_ = "lray";
+    std::vector<char*> arguments_;
+    std::vector<option> table_;
+    bool is_scene_plain_ = false;
+    int count_ = 0;
+};
+
+/// The text as a shell reads it back: in quotes where it needs them.
+std::string quoted(std::string_view text) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+:@%,=";
+    if (!text.empty() && text.find_first_not_of(kPlain) == text.npos) return std::string(text);
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
+/// "rooms/hall.lrs" -> "hall.ppm".
+std::string suggested_output(std::string_view scene_path) {
+    const std::size_t slash = scene_path.rfind('/');
+    if (slash != scene_path.npos) scene_path.remove_prefix(slash + 1);
+    const std::string_view extension = image::extension(scene_path);
+    if (!extension.empty()) scene_path.remove_suffix(extension.size() + 1);
+    return fmt::format("{}.ppm", scene_path == "-" ? "image" : scene_path);
+}
+
+std::optional<Failure> check_output(const Options& options) {
+    if (!options.output_path.empty()) return std::nullopt;
+    const std::string fix = fmt::format("lray -n 1 -i {} -o {}", quoted(options.scene_path),
+                                        quoted(suggested_output(options.scene_path)));
+    if (options.level) {
+        return usage_error("level 1 writes a picture; say where with `-o`", fix);
+    }
+    return usage_error("the window is not available in this version; write a picture with `-o`",
+                       fix);
+}
+
+std::optional<Failure> choose_format(Options& options) {
+    if (options.format) return std::nullopt;
+    if (options.output_path == "-") {
+        options.format = image::Format::ppm;
+        return std::nullopt;
+    }
+    const std::string_view extension = image::extension(options.output_path);
+    options.format = image::find_format(extension);
+    if (options.format) return std::nullopt;
+    const std::string help = "end its name in .ppm or .png, or choose with `--format ppm|png`";
+    if (extension.empty()) {
+        return usage_error(
+            fmt::format("`{}` has no extension that names a format", options.output_path), help);
+    }
+    return usage_error(fmt::format("no picture format is called `{}`", extension), help);
+}
+
+void warn_of_ignored(Options& options) {
+    if (options.samples && *options.samples != 1) {
+        options.warnings.push_back(fmt::format(
+            "`-ps {}` is ignored: level 1 sends one ray through the centre of each pixel",
+            *options.samples));
+    }
+}
+
+}  // namespace
+
+std::variant<Options, Failure> parse_options(std::span<const char* const> arguments) {
+    Options options;
+    if (auto failure = ArgumentReader(arguments).read(options)) return *failure;
+    switch (options.mode) {
+        case Mode::explain:
+        case Mode::help:
+        case Mode::version:
+            return options;
+        case Mode::check:
+        case Mode::render:
+            break;
+    }
+    if (options.scene_path.empty()) return usage_error("no scene is given", kUsage);
+    if (options.mode == Mode::check) return options;
+    if (auto failure = check_output(options)) return *failure;
+    if (auto failure = choose_format(options)) return *failure;
+    warn_of_ignored(options);
+    return options;
+}
+
+std::string help_text() {
+    std::string text = fmt::format(
+        "lray {}: renders scenes written in the .lrs language\n\n"
+        "usage: {}\n"
+        "       lray --check scene.lrs\n\n"
+        "Options may have one or two dashes; the last one given counts.\n",
+        LRAY_VERSION, kUsage);
+    for (const OptionGroup& group : option_groups()) {
+        text += fmt::format("\n{}:\n", group.title);
+        for (std::size_t i = 0; i < group.options.size(); ++i) {
+            const OptionSpec& spec = group.options[i];
+            if (*spec.help == '\0') continue;
+            std::string names = fmt::format("{} {}", spelled(spec.name), spec.value);
+            for (std::size_t k = i + 1; k < group.options.size() && *group.options[k].help == '\0';
+                 ++k) {
+                names += fmt::format(", {} {}", spelled(group.options[k].name), spec.value);
+            }
+            text += fmt::format("  {:<24} {}\n", names, spec.help);
+        }
+    }
+    return text;
+}
+
+std::string version_text() {
+    return fmt::format("lray {}\n", LRAY_VERSION);
+}
+
+}  // namespace lray::cli

@@ -1,0 +1,67 @@
+// What the command line asks for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bvh/accel.h"
+#include "cli/exit_code.h"
+#include "image/write.h"
+#include "parser/load.h"
+#include "render/render.h"
+#include "scene/camera.h"
+#include "scene/flatten.h"
+
+namespace lray::cli {
+
+enum class Mode : std::uint8_t { render, check, explain, help, version };
+enum class ColorMode : std::uint8_t { automatic, always, never };
+
+struct Options {
+    Mode mode = Mode::render;
+    std::string scene_path{};   // "-" is stdin
+    std::string output_path{};  // "-" is stdout
+    std::string explained{};    // the code that --explain asks for
+
+    std::optional<std::uint32_t> level{};
+    std::optional<std::uint32_t> samples{};
+    std::optional<scene::Resolution> size{};
+    std::optional<render::PixelRect> crop{};
+    std::optional<std::string> camera_name{};
+    std::optional<image::Format> format{};  // always set once parsed, if a picture is asked for
+    bvh::AccelKind accel = bvh::AccelKind::none;
+    std::uint32_t thread_count = 0;  // 0: all
+
+    std::vector<std::string> include_directories{};  // -I, in order
+    std::vector<std::string> allowed_directories{};  // --allow
+
+    ColorMode color = ColorMode::automatic;
+    std::uint64_t max_errors = 20;
+    bool deny_warnings = false;
+    bool stats = false;
+    bool quiet = false;
+
+    parser::LoadLimits load_limits{};
+    scene::FlattenLimits flatten_limits{};
+    std::uint64_t max_output_pixels = std::uint64_t{1} << 28;
+
+    std::vector<std::string> warnings{};  // options that have no effect, in words
+};
+
+/// Reads the arguments (without the program's name). Every option may have one or two dashes and
+/// its value in the next argument or after `=`; names are never abbreviated; the last one given
+/// counts. --help, --version and --explain need nothing else.
+/// Errors: a usage error for what is unknown, missing or does not go together.
+std::variant<Options, Failure> parse_options(std::span<const char* const> arguments);
+
+/// What --help prints.
+std::string help_text();
+
+/// What --version prints.
+std::string version_text();
+
+}  // namespace lray::cli

@@ -1,0 +1,36 @@
+// Progress of a render as text: a bar on a terminal, lines elsewhere. Writes nothing itself.
+#pragma once
+
+#include <string>
+
+#include "render/render.h"
+
+namespace lray::cli {
+
+enum class ProgressStyle : std::uint8_t { silent, bar, lines };
+
+class Progress {
+ public:
+    explicit Progress(ProgressStyle style) : style_(style) {}
+
+    /// Returns what to write now, often nothing. A bar appears once the render has lasted half a
+    /// second and is redrawn in its line; a line comes each 10 % or 30 s, the first not before the
+    /// render has lasted two seconds.
+    std::string update(const render::RenderProgress& progress, double elapsed_seconds);
+
+    /// Returns what to write at the end: erases the bar.
+    std::string finish() const;
+
+ private:
+    std::string bar(double share, double elapsed_seconds) const;
+
+    ProgressStyle style_ = ProgressStyle::silent;
+    bool is_bar_drawn_ = false;
+    double last_line_seconds_ = 0.0;
+    int last_line_tenth_ = 0;
+};
+
+/// Returns a duration as people read it: "0:07", "12:34", "1:02:03".
+std::string format_duration(double seconds);
+
+}  // namespace lray::cli

@@ -1,0 +1,205 @@
+#include "cli/run.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic_printer.h"
+#include "base/did_you_mean.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+
+namespace lray::cli {
+
+namespace {
+
+// Brute force makes some 1e8 tests a second and core: beyond this it takes a minute or more.
+constexpr double kSlowTestCount = 1e10;
+
+ProgressStyle progress_style(const Options& options) {
+    if (options.quiet) return ProgressStyle::silent;
+    return stderr_is_terminal() ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+std::string_view shown_scene(const Options& options) {
+    return options.scene_path == "-" ? "<stdin>" : std::string_view(options.scene_path);
+}
+
+/// True for a pipe or a device: there is no place beside it for a partial picture.
+bool is_special_file(const std::string& path) {
+    struct stat status {};
+    return path == "-" || (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    struct stat status_a {};
+    struct stat status_b {};
+    return stat(a.c_str(), &status_a) == 0 && stat(b.c_str(), &status_b) == 0 &&
+           S_ISREG(status_a.st_mode) && status_a.st_dev == status_b.st_dev &&
+           status_a.st_ino == status_b.st_ino;
+}
+
+Failure output_failure(std::string_view path, std::string_view reason) {
+    return {ExitCode::output, fmt::format("cannot write `{}`: {}", path, reason), {}};
+}
+
+/// Empty when the picture is in its file.
+std::optional<Failure> write_picture(OutputFile output, const std::string& path,
+                                     const image::Image& image, image::Format format,
+                                     image::Metadata metadata) {
+    std::string error;
+    if (!write_image(output, image, format, metadata, error)) return output_failure(path, error);
+    if (!output.commit()) return output_failure(path, output.error());
+    return std::nullopt;
+}
+
+ExitCode save_partial_picture(const image::Image& image, image::Metadata metadata,
+                              const Options& options, ExitCode exit_code) {
+    if (is_special_file(options.output_path)) {
+        print_message("lray: interrupted; nothing was written\n");
+        return exit_code;
+    }
+    const std::string path = partial_path(options.output_path);
+    std::string error;
+    auto output = OutputFile::open(path, error);
+    std::optional<Failure> failure =
+        output ? write_picture(std::move(*output), path, image, *options.format, metadata)
+               : output_failure(path, error);
+    if (failure) {
+        report_failure(*failure);
+        return exit_code;
+    }
+    print_message(
+        fmt::format("lray: interrupted; what there is was written to `{}`, `{}` is "
+                    "untouched\n",
+                    escape_for_terminal(path), escape_for_terminal(options.output_path)));
+    return exit_code;
+}
+
+}  // namespace
+
+FileAccess file_access(const Options& options) {
+    FileAccess files;
+    for (const std::string& directory : options.include_directories) files.allow(directory, true);
+    if (const char* const path = std::getenv("LRAY_PATH")) {
+        std::string_view rest = path;
+        while (!rest.empty()) {
+            const std::string_view directory = rest.substr(0, rest.find(':'));
+            if (!directory.empty()) files.allow(std::string(directory), true);
+            rest.remove_prefix(std::min(directory.size() + 1, rest.size()));
+        }
+    }
+    for (const std::string& directory : options.allowed_directories) {
+        files.allow(directory, false);
+    }
+    return files;
+}
+
+std::optional<ExitCode> report_diagnostics(const Diagnostics& diagnostics, const Sources& sources,
+                                           const Options& options) {
+    print_message(
+        format_diagnostics(diagnostics, sources, {use_color(options.color), options.max_errors}));
+    const bool is_checking = options.mode == Mode::check;
+    const bool is_denied = options.deny_warnings && diagnostics.warning_count() > 0;
+    const std::string counts = summary(diagnostics);
+    if (!diagnostics.has_errors() && !is_denied) {
+        if (!is_checking) return std::nullopt;
+        const std::string name = escape_for_terminal(shown_scene(options));
+        return print_requested(
+            fmt::format("{}: no errors{}{}\n", name, counts.empty() ? "" : ", ", counts));
+    }
+    print_message(fmt::format("{}{}{}\n", counts,
+                              diagnostics.has_errors() ? "" : ", denied by `--deny warnings`",
+                              is_checking ? "" : "; nothing rendered"));
+    return diagnostics.has_limit_errors() ? ExitCode::limit : ExitCode::scene;
+}
+
+void print_notes(const View& view, const scene::World& world, const Options& options) {
+    for (const std::string& warning : options.warnings) print_warning(warning);
+    const double test_count =
+        static_cast<double>(view.pixel_count()) * static_cast<double>(world.primitive_count());
+    if (options.accel == bvh::AccelKind::none && test_count > kSlowTestCount && !options.quiet) {
+        print_note(
+            fmt::format("without a hierarchy each of {} rays tests all {} primitives, which "
+                        "will be slow; a smaller `--size` or a `--crop` helps",
+                        view.pixel_count(), world.primitive_count()));
+    }
+}
+
+std::variant<OutputFile, Failure> open_output(const Options& options) {
+    if (options.output_path != "-" && is_same_file(options.output_path, options.scene_path)) {
+        return Failure{ExitCode::usage,
+                       fmt::format("`-o {}` would overwrite the scene", options.output_path),
+                       "give the picture another name"};
+    }
+    std::string error;
+    auto output = OutputFile::open(options.output_path, error);
+    if (!output) return output_failure(options.output_path, error);
+    return std::move(*output);
+}
+
+render::RenderResult render_view(const View& view, const scene::World& world,
+                                 const bvh::Accel& accel, const Options& options) {
+    Progress progress(progress_style(options));
+    const auto start = std::chrono::steady_clock::now();
+    const auto on_progress = [&](const render::RenderProgress& done) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        print_message(progress.update(done, elapsed.count()));
+    };
+    render::RenderResult result = render::render(world, accel, view.camera, view.render_options,
+                                                 on_progress, stop_requested());
+    print_message(progress.finish());
+    return result;
+}
+
+ExitCode save_picture(OutputFile output, const render::RenderResult& result,
+                      image::Metadata metadata, const Options& options) {
+    if (!result.is_complete) {
+        const auto exit_code = interrupt_exit_code();
+        LRAY_ASSERT(exit_code);
+        return save_partial_picture(result.image, metadata, options, *exit_code);
+    }
+    const auto failure = write_picture(std::move(output), options.output_path, result.image,
+                                       *options.format, metadata);
+    return failure ? report_failure(*failure) : ExitCode::done;
+}
+
+std::string partial_path(std::string_view output_path) {
+    const std::string_view extension = image::extension(output_path);
+    if (extension.empty()) return fmt::format("{}.partial", output_path);
+    output_path.remove_suffix(extension.size() + 1);
+    return fmt::format("{}.partial.{}", output_path, extension);
+}
+
+ExitCode explain(std::string_view code_id) {
+    const auto code = find_code(code_id);
+    if (!code) {
+        std::vector<std::string_view> ids;
+        for (const CodeInfo& info : code_infos()) ids.push_back(info.id);
+        std::string help = did_you_mean(code_id, ids);
+        if (help.empty()) help = "codes stand in the brackets of a message, like `E0401`";
+        return report_failure(
+            {ExitCode::usage, fmt::format("there is no code `{}`", code_id), std::move(help)});
+    }
+    const CodeInfo& info = code_info(*code);
+    std::string text = fmt::format("{}: {}\n\n{}\n", info.id, info.title, info.explanation);
+    const auto add_example = [&](std::string_view title, std::string_view example) {
+        if (example.empty()) return;
+        text += fmt::format("\n{}:\n\n", title);
+        while (!example.empty()) {
+            const std::string_view line = example.substr(0, example.find('\n'));
+            text += fmt::format("{}{}\n", line.empty() ? "" : "    ", line);
+            example.remove_prefix(std::min(line.size() + 1, example.size()));
+        }
+    };
+    add_example("Wrong", info.wrong);
+    add_example("Right", info.right);
+    return print_requested(text);
+}
+
+}  // namespace lray::cli

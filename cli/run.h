@@ -1,0 +1,49 @@
+// The steps around the pipeline of main.cpp: what is said, when it ends early, what is written.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "base/diagnostics.h"
+#include "base/file_access.h"
+#include "base/output_file.h"
+#include "base/source.h"
+#include "cli/exit_code.h"
+#include "cli/options.h"
+#include "cli/view.h"
+
+namespace lray::cli {
+
+/// Returns access to what the scene may read: -I and LRAY_PATH are searched too, --allow is not.
+FileAccess file_access(const Options& options);
+
+/// Prints the diagnostics and their closing line. Returns how the program ends, if it ends here:
+/// after errors, after warnings that are denied, and when checking was all that was asked for.
+std::optional<ExitCode> report_diagnostics(const Diagnostics& diagnostics, const Sources& sources,
+                                           const Options& options);
+
+/// Prints what the command line asked for in vain, and what makes the render slow.
+void print_notes(const View& view, const scene::World& world, const Options& options);
+
+/// Opens the output.
+/// Errors: a usage error if it is the scene itself, an output error if it cannot be written.
+std::variant<OutputFile, Failure> open_output(const Options& options);
+
+/// Renders with progress on stderr, until done or interrupted.
+render::RenderResult render_view(const View& view, const scene::World& world,
+                                 const bvh::Accel& accel, const Options& options);
+
+/// Writes the picture, or what there is of it beside the output if it was interrupted, and says
+/// so.
+ExitCode save_picture(OutputFile output, const render::RenderResult& result,
+                      image::Metadata metadata, const Options& options);
+
+/// "a/image.png" -> "a/image.partial.png".
+std::string partial_path(std::string_view output_path);
+
+/// Prints what a code means.
+ExitCode explain(std::string_view code_id);
+
+}  // namespace lray::cli

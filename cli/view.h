@@ -1,0 +1,27 @@
+// Which camera, size and part of the picture: the command line over the camera over the scene.
+#pragma once
+
+#include <variant>
+
+#include "cli/exit_code.h"
+#include "cli/options.h"
+#include "render/render.h"
+#include "scene/scene.h"
+#include "scene/world.h"
+
+namespace lray::cli {
+
+struct View {
+    scene::Camera camera{};
+    render::RenderOptions render_options{};
+
+    std::uint64_t pixel_count() const;  // of the crop, if there is one
+};
+
+/// Chooses the view. A scene without a camera gets one that sees all of the world.
+/// Errors: a usage error for an unknown camera or a crop that leaves the picture, a limit error
+/// for a picture of more pixels than allowed.
+std::variant<View, Failure> choose_view(const scene::Scene& scene, const scene::World& world,
+                                        const Options& options);
+
+}  // namespace lray::cli

@@ -1,0 +1,31 @@
+// Portable Network Graphics: 8-bit RGB, marked as sRGB.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "base/output_file.h"
+#include "image/image.h"
+#include "image/read.h"
+#include "image/write.h"
+
+namespace lray::image {
+
+/// Writes the picture with an sRGB chunk and the metadata as tEXt (ASCII) or iTXt (other UTF-8).
+/// Keywords begin with a capital letter there and are cut to the 79 characters the format allows.
+/// No time is stored. Asserts a picture of at least one pixel.
+/// Errors: false, and `error` tells why in words.
+bool write_png(OutputFile& out, const Image& image, Metadata metadata, std::string& error);
+
+/// True if the file begins with the signature of a PNG.
+bool is_png(std::span<const std::byte> file);
+
+/// Reads any PNG as 8-bit RGB: palettes are looked up, greys spread, 16 bits rounded to 8,
+/// transparency dropped.
+/// Errors: empty, and `error` tells why in words.
+std::optional<Image> read_png(std::span<const std::byte> file, const ReadLimits& limits,
+                              std::string& error);
+
+}  // namespace lray::image

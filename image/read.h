@@ -1,0 +1,26 @@
+// Decodes picture files, for comparing and testing: bounded before any memory is taken.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "image/image.h"
+
+namespace lray::image {
+
+struct ReadLimits {
+    std::uint64_t pixels = std::uint64_t{1} << 26;
+
+    /// Returns true if a picture of that size may be read; if not, `error` tells why in words.
+    bool allow(std::uint32_t width, std::uint32_t height, std::string& error) const;
+};
+
+/// Decodes a PPM or PNG file, told apart by its first bytes, to linear pixels.
+/// Errors: empty, and `error` tells why in words.
+std::optional<Image> read_image(std::span<const std::byte> file, const ReadLimits& limits,
+                                std::string& error);
+
+}  // namespace lray::image

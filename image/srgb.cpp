@@ -1,0 +1,83 @@
+// The transfer functions. Of libm only powf is used: unlike pow in double precision, it was found
+// to give the same bits whether the processor fuses multiply-add or not.
+#include "image/srgb.h"
+
+#include <array>
+#include <cmath>
+
+#include "base/assert.h"
+
+namespace lray::image {
+
+namespace {
+
+/// Returns x^2.4 for x in (0, 1] as x^2 times the fifth root of x^2: Newton's method for
+/// y^5 = x^2, begun at float precision (1e-7); each step squares the error, so two are enough.
+double power_2_4(double x) {
+    const double square = x * x;
+    double y = static_cast<double>(std::pow(static_cast<float>(x), 0.4f));
+    for (int step = 0; step < 2; ++step) {
+        const double y4 = (y * y) * (y * y);
+        y -= (y4 * y - square) / (5.0 * y4);
+    }
+    return square * y;
+}
+
+std::array<float, 256> make_decode_table() {
+    std::array<float, 256> table{};
+    for (std::size_t code = 0; code < table.size(); ++code) {
+        table[code] = static_cast<float>(srgb_decode(static_cast<double>(code) / 255.0));
+    }
+    return table;
+}
+
+}  // namespace
+
+float srgb_encode(float linear) {
+    if (!(linear > 0.0f)) return 0.0f;
+    if (linear >= 1.0f) return 1.0f;
+    if (linear <= 0.0031308f) return 12.92f * linear;
+    return 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+double srgb_decode(double encoded) {
+    if (!(encoded > 0.0)) return 0.0;
+    if (encoded >= 1.0) return 1.0;
+    if (encoded <= 0.04045) return encoded / 12.92;
+    return power_2_4((encoded + 0.055) / 1.055);
+}
+
+std::uint8_t srgb_encode_8(float linear) {
+    return static_cast<std::uint8_t>(srgb_encode(linear) * 255.0f + 0.5f);
+}
+
+float srgb_decode_8(std::uint8_t code) {
+    static const std::array<float, 256> table = make_decode_table();
+    return table[code];
+}
+
+void srgb_encode_row(std::span<const Color> pixels, std::span<std::uint8_t> bytes) {
+    LRAY_ASSERT(bytes.size() == 3 * pixels.size());
+    // Neighbours are often alike (background, flat painting): a run is encoded once.
+    Color last{0.0f};
+    std::array<std::uint8_t, 3> code{};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (pixels[i] != last) {
+            last = pixels[i];
+            code = {srgb_encode_8(last.r), srgb_encode_8(last.g), srgb_encode_8(last.b)};
+        }
+        bytes[3 * i] = code[0];
+        bytes[3 * i + 1] = code[1];
+        bytes[3 * i + 2] = code[2];
+    }
+}
+
+void srgb_decode_row(std::span<const std::uint8_t> bytes, std::span<Color> pixels) {
+    LRAY_ASSERT(bytes.size() == 3 * pixels.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        pixels[i] = {srgb_decode_8(bytes[3 * i]), srgb_decode_8(bytes[3 * i + 1]),
+                     srgb_decode_8(bytes[3 * i + 2])};
+    }
+}
+
+}  // namespace lray::image

@@ -1,0 +1,61 @@
+#include "image/write.h"
+
+#include <algorithm>
+
+#include "image/png.h"
+#include "image/ppm.h"
+
+namespace lray::image {
+
+namespace {
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+}  // namespace
+
+std::optional<Format> find_format(std::string_view name) {
+    for (const Format format : kFormats) {
+        if (equal_ignoring_case(name, format_name(format))) return format;
+    }
+    return std::nullopt;
+}
+
+std::string_view format_name(Format format) {
+    switch (format) {
+        case Format::ppm:
+            return "ppm";
+        case Format::png:
+            return "png";
+    }
+    LRAY_ASSERT(false);
+}
+
+std::string_view extension(std::string_view path) {
+    const std::size_t slash = path.rfind('/');
+    const std::string_view name = slash == path.npos ? path : path.substr(slash + 1);
+    const std::size_t dot = name.rfind('.');
+    // A leading dot hides a file; it does not begin an extension.
+    if (dot == name.npos || dot == 0) return {};
+    return name.substr(dot + 1);
+}
+
+bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
+                 std::string& error) {
+    switch (format) {
+        case Format::ppm:
+            if (write_ppm(out, image)) return true;
+            error = out.error();
+            return false;
+        case Format::png:
+            return write_png(out, image, metadata, error);
+    }
+    LRAY_ASSERT(false);
+}
+
+}  // namespace lray::image

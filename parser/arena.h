@@ -1,0 +1,84 @@
+// A bump allocator for what lives as long as one load: syntax trees and values.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace lray::parser {
+
+/// Memory that is freed all at once. Holds only what needs no destructor.
+class Arena {
+ public:
+    Arena() = default;
+    Arena(const Arena&) = delete;
+    Arena& operator=(const Arena&) = delete;
+
+    template <class T, class... Args>
+    T* make(Args&&... args) {
+        static_assert(std::is_trivially_destructible_v<T>);
+        return ::new (allocate(sizeof(T), alignof(T))) T{std::forward<Args>(args)...};
+    }
+
+    template <class T>
+    std::span<T> copy(std::span<const T> values) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        if (values.empty()) return {};
+        T* begin = static_cast<T*>(allocate(values.size_bytes(), alignof(T)));
+        std::uninitialized_copy(values.begin(), values.end(), begin);
+        return {begin, values.size()};
+    }
+
+    template <class T>
+    std::span<T> copy(const std::vector<T>& values) {
+        return copy(std::span<const T>(values));
+    }
+
+    std::string_view copy(std::string_view text) {
+        const std::span<char> bytes = copy(std::span<const char>(text.data(), text.size()));
+        return {bytes.data(), bytes.size()};
+    }
+
+    /// Bytes taken from the system.
+    std::size_t size() const { return size_; }
+
+    void* allocate(std::size_t size, std::size_t alignment) {
+        auto begin = reinterpret_cast<std::uintptr_t>(next_);
+        begin = (begin + alignment - 1) & ~(std::uintptr_t{alignment} - 1);
+        if (begin + size > reinterpret_cast<std::uintptr_t>(end_)) {
+            add_block(size + alignment);
+            begin = reinterpret_cast<std::uintptr_t>(next_);
+            begin = (begin + alignment - 1) & ~(std::uintptr_t{alignment} - 1);
+        }
+        next_ = reinterpret_cast<std::byte*>(begin + size);
+        return reinterpret_cast<void*>(begin);
+    }
+
+ private:
+    static constexpr std::size_t kFirstBlock = std::size_t{16} << 10;
+    static constexpr std::size_t kLargestBlock = std::size_t{1} << 20;
+
+    void add_block(std::size_t least) {
+        const std::size_t size = std::max(least, block_size_);
+        block_size_ = std::min(block_size_ * 2, kLargestBlock);
+        blocks_.push_back(std::make_unique_for_overwrite<std::byte[]>(size));
+        size_ += size;
+        next_ = blocks_.back().get();
+        end_ = next_ + size;
+    }
+
+    std::vector<std::unique_ptr<std::byte[]>> blocks_;
+    std::byte* next_ = nullptr;
+    std::byte* end_ = nullptr;
+    std::size_t block_size_ = kFirstBlock;
+    std::size_t size_ = 0;
+};
+
+}  // namespace lray::parser

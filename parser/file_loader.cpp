@@ -1,0 +1,122 @@
+#include "parser/file_loader.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "scene/obj_reader.h"
+
+namespace lray::parser {
+
+std::optional<SourceId> FileLoader::main_scene(std::string_view path) {
+    return add(files_.read_main(path, limits_.scene_bytes), path, Span{}, limits_.scene_bytes,
+               "--max-scene-bytes");
+}
+
+std::optional<SourceId> FileLoader::scene(std::string_view path, SourceId from, Span span) {
+    return read(path, from, span, limits_.scene_bytes, "--max-scene-bytes");
+}
+
+std::optional<SourceId> FileLoader::read(std::string_view path, SourceId from, Span span,
+                                         std::uint64_t max_size, std::string_view limit_flag) {
+    if (sources_.count() >= limits_.files || sources_.is_full()) {
+        diagnostics_.error(Code::E0515, span, fmt::format("more than {} files", limits_.files))
+            .with_help("raise the limit with `--max-files N`");
+        return std::nullopt;
+    }
+    if (path.empty()) {
+        diagnostics_.error(Code::E0601, span, "the file name is empty");
+        return std::nullopt;
+    }
+    return add(files_.read(path, directories_[from], max_size), path, span, max_size, limit_flag);
+}
+
+std::optional<SourceId> FileLoader::add(ReadResult result, std::string_view written, Span span,
+                                        std::uint64_t max_size, std::string_view limit_flag) {
+    // Offsets into a source are 32 bits wide.
+    const bool is_addressable = result.text.size() <= 0xffffffffu - Text::kPadding;
+    if (result.status == ReadStatus::ok && !is_addressable) result.status = ReadStatus::too_large;
+    if (result.status != ReadStatus::ok) {
+        report(result, written, span, max_size, limit_flag);
+        return std::nullopt;
+    }
+    if (result.used_backslash) {
+        diagnostics_.warning(Code::W1603, span, "write paths with `/`");
+    } else if (result.differs_in_case) {
+        diagnostics_.warning(Code::W1604, span,
+                             fmt::format("this file is called `{}`; elsewhere the case of letters "
+                                         "decides",
+                                         result.path));
+    } else if (result.is_absolute && !span.is_nowhere()) {
+        diagnostics_.warning(Code::W1605, span, "an absolute path works on this machine only");
+    }
+    const SourceId id = sources_.add(std::move(result.path), std::move(result.text), span);
+    directories_[id] = std::move(result.directory);
+    return id;
+}
+
+void FileLoader::report(const ReadResult& result, std::string_view written, Span span,
+                        std::uint64_t max_size, std::string_view limit_flag) {
+    switch (result.status) {
+        case ReadStatus::ok:
+            return;
+        case ReadStatus::not_found: {
+            const std::size_t places = result.searched.size();
+            const std::string searched =
+                places > 1 ? fmt::format(" in {} places", places) : std::string();
+            Diagnostic& diagnostic = diagnostics_.error(
+                Code::E0601, span, fmt::format("`{}` not found{}", written, searched));
+            if (!result.nearest.empty()) {
+                diagnostic.with_hint(fmt::format("did you mean `{}`?", result.nearest));
+            }
+            if (!span.is_nowhere()) {
+                for (const std::string& place : result.searched) {
+                    diagnostic.with_note(fmt::format("looked for {}", place));
+                }
+            }
+            return;
+        }
+        case ReadStatus::outside:
+            diagnostics_
+                .error(Code::E0605, span,
+                       fmt::format("`{}` is outside the directories this scene may read", written))
+                .with_help(fmt::format("if you trust the scene, allow it with `--allow {}`",
+                                       result.allow));
+            return;
+        case ReadStatus::not_regular:
+            diagnostics_.error(Code::E0604, span,
+                               fmt::format("`{}` is not a file with text in it", written));
+            return;
+        case ReadStatus::too_large:
+            diagnostics_
+                .error(Code::E0516, span,
+                       fmt::format("`{}` is larger than {} bytes", written, max_size))
+                .with_help(fmt::format("raise the limit with `{} N`", limit_flag));
+            return;
+        case ReadStatus::unreadable:
+            diagnostics_.error(Code::E0604, span,
+                               fmt::format("`{}` cannot be read: {}", written, result.reason));
+            return;
+    }
+}
+
+std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId from, Span span,
+                                              scene::Scene& scene) {
+    const auto [known, is_new] = meshes_.try_emplace({directories_[from], std::string(path)});
+    std::optional<scene::MeshId>& mesh_id = known->second;
+    if (!is_new) return mesh_id;
+    const std::optional<SourceId> file =
+        read(path, from, span, limits_.mesh_bytes, "--max-mesh-bytes");
+    if (!file) return std::nullopt;
+    const std::size_t errors_before = diagnostics_.error_count() + diagnostics_.warning_count();
+    std::optional<scene::Mesh> mesh = scene::read_obj(sources_, *file, span, diagnostics_);
+    if (diagnostics_.error_count() + diagnostics_.warning_count() == errors_before) {
+        sources_.release_text(*file);  // nothing in it will be shown
+    }
+    if (!mesh) return std::nullopt;
+    mesh_id = scene::MeshId(scene.meshes.size());
+    scene.meshes.push_back(std::move(*mesh));
+    return mesh_id;
+}
+
+}  // namespace lray::parser

@@ -1,0 +1,60 @@
+// Brings the files that a scene names into the load: text of includes, meshes. Each mesh is read
+// once per run.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/file_access.h"
+#include "base/source.h"
+#include "parser/load.h"
+#include "scene/scene.h"
+
+namespace lray::parser {
+
+/// A file that was read and now is a source.
+struct LoadedSource {
+    SourceId id = kNoSource;
+    std::string path{};
+};
+
+class FileLoader {
+ public:
+    FileLoader(FileAccess& files, Sources& sources, const LoadLimits& limits,
+               Diagnostics& diagnostics)
+        : files_(files), sources_(sources), limits_(limits), diagnostics_(diagnostics) {}
+
+    /// Reads the main scene. Errors: empty, E06.. reported without a place.
+    std::optional<SourceId> main_scene(std::string_view path);
+
+    /// Reads a file named at `span` in the source `from`, for inclusion.
+    /// Errors: empty, reported at `span`: E0515 too many files, E0601 and its like.
+    std::optional<SourceId> scene(std::string_view path, SourceId from, Span span);
+
+    /// Returns the mesh of an OBJ file named at `span` in the source `from`.
+    /// Errors: empty, reported at `span` or in the mesh file; the same file again is silent.
+    std::optional<scene::MeshId> mesh(std::string_view path, SourceId from, Span span,
+                                      scene::Scene& scene);
+
+ private:
+    std::optional<SourceId> read(std::string_view path, SourceId from, Span span,
+                                 std::uint64_t max_size, std::string_view limit_flag);
+    std::optional<SourceId> add(ReadResult result, std::string_view written, Span span,
+                                std::uint64_t max_size, std::string_view limit_flag);
+    void report(const ReadResult& result, std::string_view written, Span span,
+                std::uint64_t max_size, std::string_view limit_flag);
+
+    FileAccess& files_;
+    Sources& sources_;
+    LoadLimits limits_;
+    Diagnostics& diagnostics_;
+    std::map<SourceId, std::string> directories_;
+    std::map<std::pair<std::string, std::string>, std::optional<scene::MeshId>> meshes_;
+};
+
+}  // namespace lray::parser

@@ -1,0 +1,165 @@
+// What blocks there are and what may stand in each: one table per block type, which feeds the
+// checker, suggestions, defaults and documentation. The tables are in parser/schemas.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "parser/symbols.h"
+
+namespace lray::parser {
+
+enum class PropertyType : std::uint8_t {
+    number,
+    integer,
+    boolean,
+    string,
+    option,        // one of a list of strings
+    point,         // three numbers; a colour is not a point
+    direction,     // three numbers, not all 0
+    vec2,          // two numbers
+    size2,         // two numbers greater than 0
+    size3,         // three numbers greater than 0
+    color,         // colour, number or three numbers
+    angle,         // degrees
+    scale,         // number or three numbers, none 0
+    rotation,      // three angles or a transform
+    matrix,        // three or four rows of four numbers
+    transform,     // a transform or a list of them
+    material,      // a material
+    roughness,     // number or two numbers, 0 to 1
+    resolution,    // two whole numbers
+    file,          // a string that names a file
+    points,        // rows of three numbers
+    uvs,           // rows of two numbers
+    index_triples  // rows of three whole numbers
+};
+
+/// Bounds of a number, or of each number of a vector.
+struct Range {
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool min_is_open = false;
+
+    constexpr bool contains(double x) const {
+        return (min_is_open ? x > min : x >= min) && x <= max;
+    }
+};
+
+inline constexpr Range kAnyNumber{};
+inline constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true};
+inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity(), false};
+inline constexpr Range kUnit{0.0, 1.0, false};
+
+/// How a block is written: `rectangle` by its centre and size, or by a corner and two edges. A
+/// property of one form excludes those of the others.
+enum class Form : std::uint8_t { any, first, second };
+
+struct PropertySchema {
+    std::string_view name{};
+    PropertyType type{};
+    std::string_view default_text{};  // as it would be written; empty: none
+    std::string_view doc{};
+    Range range = kAnyNumber;
+    std::array<double, 3> default_value{};  // of a number, boolean or vector with a default_text
+    bool is_required = false;               // in its form
+    Form form = Form::any;
+    std::span<const std::string_view> options{};
+};
+
+enum class BlockKind : std::uint8_t {
+    group,
+    sphere,
+    rectangle,
+    triangle,
+    cylinder,
+    disk,
+    box,
+    plane,
+    mesh,
+    material,
+    camera,
+    render,
+    info,
+};
+inline constexpr std::size_t kBlockKindCount = 13;
+
+/// The most properties a block has: the size of the evaluator's slot array.
+inline constexpr std::size_t kMaxProperties = 20;
+
+struct BlockSchema {
+    BlockKind kind{};
+    std::string_view name{};
+    std::string_view doc{};
+    std::span<const PropertySchema> properties{};
+
+    /// A shape or a group: takes transform steps, `material`, `visible`, `casts_shadow`.
+    bool is_placeable = false;
+    bool has_children = false;
+    bool takes_any_string = false;  // `info`: any name, a string each
+};
+
+/// Properties that every placeable block has besides its own. Transform steps are the only ones
+/// that may be repeated, and the only ones whose order matters.
+enum class CommonProperty : std::uint8_t {
+    translate,
+    scale,
+    rotate_x,
+    rotate_y,
+    rotate_z,
+    rotate,
+    matrix,
+    transform,
+    look_at,
+    material,
+    visible,
+    casts_shadow,
+};
+inline constexpr std::size_t kCommonPropertyCount = 12;
+
+constexpr bool is_transform_step(CommonProperty property) {
+    return property <= CommonProperty::look_at;
+}
+
+/// Shape: in the order of CommonProperty.
+std::span<const PropertySchema> common_properties();
+
+/// Shape: in the order of BlockKind.
+std::span<const BlockSchema> block_schemas();
+
+const BlockSchema& block_schema(BlockKind kind);
+
+/// Returns the schema of the built-in block that a symbol names; null if it names none.
+const BlockSchema* find_block(Symbol symbol);
+
+/// Returns the schema of a built-in block; null if there is none of that name.
+const BlockSchema* find_block(std::string_view name);
+
+/// Index of a property in a block's own table; its size if there is none of that name.
+constexpr std::size_t find_property(std::span<const PropertySchema> properties,
+                                    std::string_view name) {
+    std::size_t slot = 0;
+    while (slot < properties.size() && properties[slot].name != name) ++slot;
+    return slot;
+}
+
+/// Names of other tools, and of parts of the language that are not there yet.
+struct Habit {
+    std::string_view name{};
+    std::string_view ours{};
+};
+
+/// Returns what other tools' users mean by a property name (`color` -> `diffuse`); empty if
+/// nothing is known.
+std::string_view property_habit(std::string_view name);
+
+/// Returns what a block name from other tools is called here; empty if nothing is known.
+std::string_view block_habit(std::string_view name);
+
+/// True for a block or function of the language that this version does not have.
+bool is_not_yet_available(std::string_view name);
+
+}  // namespace lray::parser

@@ -1,0 +1,60 @@
+// Where samples are added up, so that any order and any split of them gives the same bits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/assert.h"
+#include "base/vec.h"
+
+namespace lray::render {
+
+/// Samples that were not added as they came (--stats).
+struct FilmCounts {
+    std::uint64_t clamped = 0;  // brighter than Film::kMaxValue
+    std::uint64_t nan = 0;      // not a number: added as black; our bug
+};
+
+/// Sums of samples, each channel as an integer in Q31.32 (steps of 2^-32): integers add up to the
+/// same whatever the order. A value that is a multiple of 2^-32 comes back exactly from a single
+/// sample: all floats of at least 2^-9, and the smaller ones to within 2^-33.
+class Film {
+ public:
+    static constexpr float kMaxValue = 65504.0f;          // the largest half-precision float
+    static constexpr std::uint32_t kMaxSamples = 32'768;  // a pixel: kMaxValue each still fit
+
+    Film(std::uint32_t width, std::uint32_t height);
+
+    std::uint32_t width() const { return width_; }
+    std::uint32_t height() const { return height_; }
+
+    /// Makes the film black again.
+    void clear();
+
+    /// Adds a sample: clamped to +-kMaxValue and counted if it was beyond. Asserts that the pixel
+    /// has fewer than kMaxSamples.
+    void add(std::uint32_t x, std::uint32_t y, Color sample);
+
+    /// Returns the mean of the samples of a pixel; black if it has none.
+    Color resolve(std::uint32_t x, std::uint32_t y) const;
+
+    const FilmCounts& counts() const { return counts_; }
+
+ private:
+    struct Pixel {
+        std::int64_t sum[3] = {0, 0, 0};
+        std::uint32_t sample_count = 0;
+    };
+
+    const Pixel& pixel(std::uint32_t x, std::uint32_t y) const {
+        LRAY_DCHECK(x < width_ && y < height_);
+        return pixels_[std::size_t{y} * width_ + x];
+    }
+
+    std::uint32_t width_ = 0;
+    std::uint32_t height_ = 0;
+    std::vector<Pixel> pixels_;
+    FilmCounts counts_{};
+};
+
+}  // namespace lray::render

@@ -1,0 +1,89 @@
+// Places one shape of the graph in the world, in a given place. Walking the graph is flatten.cpp's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "scene/scene.h"
+#include "scene/world.h"
+
+namespace lray::scene {
+
+/// Coordinates of the world end here: squares, areas and products of differences stay finite in
+/// float with room to spare.
+inline constexpr double kMaxCoordinate = 1e18;
+/// Sizes of the world begin here, so that inverse maps stay finite in float likewise.
+inline constexpr double kMinSize = 1e-18;
+
+/// What a node takes from the nodes above it, its own settings included.
+struct Placement {
+    Transform world_from_object{};
+    bool is_mirrored = false;    // world_from_object reverses orientation
+    std::uint32_t material = 0;  // index into World::materials
+    bool visible = true;
+    bool casts_shadow = true;
+};
+
+/// Adds primitives to a world. Geometry is computed in double and rounded to float once.
+/// Errors of place(): E0304 when the shape reaches beyond kMaxCoordinate or is smaller than
+/// kMinSize, E0310 when the transform flattens it; warnings W1201 (shape without area) and W1702
+/// (faces of a mesh without area), dropped.
+class Placer {
+ public:
+    Placer(const Scene& scene, World& world, Diagnostics& diagnostics)
+        : scene_(scene), world_(world), diagnostics_(diagnostics) {}
+
+    /// Adds the primitives of a shape or mesh; `node` is neither a group nor an instance.
+    void place(NodeId node_id, const Placement& placement);
+
+    /// Makes triangle_normals and triangle_uvs as long as `triangles`. Call once, last.
+    void finish();
+
+    /// How many shapes were refused with an error.
+    std::size_t refused_count() const { return refused_count_; }
+
+ private:
+    void place_sphere(const Node& node, const Placement& placement);
+    void place_rectangle(const Node& node, const Placement& placement);
+    void place_triangle(const Node& node, const Placement& placement);
+    void place_cylinder(const Node& node, const Placement& placement);
+    void place_disk(const Node& node, const Placement& placement);
+    void place_box(const Node& node, const Placement& placement);
+    void place_plane(const Node& node, const Placement& placement);
+    void place_mesh(const Node& node, const Placement& placement);
+
+    /// Returns the frame of the canonical shape that `linear` and `offset` bring into the world;
+    /// empty when that was refused.
+    std::optional<AffineFrame> make_frame(const Node& node, const DMat3& linear, DVec3 offset);
+
+    /// True if all points can be represented; otherwise refuses the shape.
+    bool are_placeable(const Node& node, std::span<const DVec3> points);
+
+    void refuse(Code code, const Node& node, std::string message);
+    void warn_no_area(const Node& node);
+
+    /// Appends the primitive's object; `object_id_` is the object of the shape being placed.
+    void add_object_id(PrimitiveKind kind) {
+        world_.object_ids[static_cast<std::size_t>(kind)].push_back(object_id_);
+    }
+    void set_triangle_normals(const IndexTriple& triple);
+    void set_triangle_uvs(const IndexTriple& triple);
+
+    const Scene& scene_;
+    World& world_;
+    Diagnostics& diagnostics_;
+    ObjectId object_id_{};
+    std::size_t refused_count_ = 0;
+};
+
+/// True if the triangle has no area: its normal is 0 in double.
+bool is_degenerate(Vec3 a, Vec3 b, Vec3 c);
+
+/// Returns the unit vector; empty for 0 and what is not finite.
+std::optional<DVec3> unit(DVec3 v);
+
+}  // namespace lray::scene

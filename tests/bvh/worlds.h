@@ -1,0 +1,57 @@
+// Makes worlds for the tests: one primitive or many, with and without frames.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "base/ray.h"
+#include "bvh/intersect.h"
+#include "scene/world.h"
+
+namespace lray::bvh {
+
+scene::PrimitiveId add_triangle(scene::World& world, Vec3 a, Vec3 b, Vec3 c);
+scene::PrimitiveId add_rectangle(scene::World& world, Vec3 corner, Vec3 edge_u, Vec3 edge_v);
+scene::PrimitiveId add_sphere(scene::World& world, Vec3 center, float radius);
+scene::PrimitiveId add_ellipsoid(scene::World& world, const scene::AffineFrame& frame);
+scene::PrimitiveId add_cylinder(scene::World& world, const scene::AffineFrame& frame,
+                                float top_radius, bool caps);
+scene::PrimitiveId add_disk(scene::World& world, const scene::AffineFrame& frame, float hole);
+scene::PrimitiveId add_box(scene::World& world, const scene::AffineFrame& frame);
+scene::PrimitiveId add_plane(scene::World& world, Vec3 point, Vec3 normal);
+
+/// Makes the frame of the map q -> linear q + origin.
+scene::AffineFrame make_frame(const DMat3& linear, Vec3 origin);
+
+/// The axis-aligned frame that scales by `size`.
+scene::AffineFrame scaled_frame(Vec3 size, Vec3 origin);
+
+/// Repeatable random values; the seed belongs in the message of what fails.
+class Random {
+ public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+    float uniform(float lo, float hi);
+    int below(int count);
+    Vec3 in_cube(float half_size);
+    Vec3 direction();  // unit
+    DMat3 rotation();
+
+ private:
+    std::mt19937_64 engine_;
+};
+
+/// Adds a primitive of a random kind, of about that size and in about that place.
+scene::PrimitiveId add_random(scene::World& world, Random& random, Vec3 center, float size);
+
+/// The same for a given kind.
+scene::PrimitiveId add_random(scene::World& world, Random& random, scene::PrimitiveKind kind,
+                              Vec3 center, float size);
+
+inline Hit meet(const scene::World& world, scene::PrimitiveId id, const Ray& ray,
+                Interval interval = {}) {
+    return intersect(world, id, prepare(ray), interval);
+}
+
+}  // namespace lray::bvh

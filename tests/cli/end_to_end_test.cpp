@@ -1,0 +1,311 @@
+// The program as people run it: pictures, messages and exit codes.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "image/compare.h"
+#include "image/read.h"
+#include "tests/support/process.h"
+#include "tests/support/temp_directory.h"
+
+namespace lray {
+namespace {
+
+constexpr const char* kScene =
+    "render { resolution: [64, 48] }\n"
+    "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n"
+    "sphere { radius: 1 }\n";
+
+constexpr const char* kWrongScene =
+    "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n"
+    "sphere { radios: 1 }\n";
+
+constexpr const char* kSceneWithoutCamera = "sphere { radius: 1 }\n";
+
+bool contains(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+class EndToEnd : public testing::Test {
+ protected:
+    /// Runs the program in the directory of the test.
+    test::ProcessResult run(std::vector<std::string> arguments, std::string_view input = {}) {
+        arguments.insert(arguments.begin(), LRAY_BINARY);
+        return test::run_process(arguments, input, directory_.path());
+    }
+
+    image::Image picture(std::string_view name) {
+        const std::string bytes = directory_.read(name);
+        std::string error;
+        auto image = image::read_image(std::as_bytes(std::span(bytes)), {}, error);
+        EXPECT_TRUE(image) << error;
+        return image.value_or(image::Image{});
+    }
+
+    test::TempDirectory directory_;
+};
+
+TEST_F(EndToEnd, LevelOneWritesAFlatPicture) {
+    directory_.write("scene.lrs", kScene);
+    const auto result = run({"-n", "1", "-i", "scene.lrs", "-o", "image.ppm"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "");
+    const image::Image image = picture("image.ppm");
+    ASSERT_EQ(image.width, 64u);
+    ASSERT_EQ(image.height, 48u);
+    EXPECT_GT(image.at(32, 24).r, 0.5f) << "the sphere, in the default grey";
+    EXPECT_EQ(image.at(32, 24).r, image.at(32, 24).b);
+    EXPECT_EQ(image.at(0, 0), Color(0.0f)) << "the background";
+    // The silhouette's half height: 24 px tan(asin(1/5)) / tan(22.5 deg) = 11.8 px.
+    EXPECT_EQ(image.at(32, 24 - 11).r, image.at(32, 24).r);
+    EXPECT_EQ(image.at(32, 24 - 13), Color(0.0f));
+    EXPECT_EQ(directory_.names(), (std::vector<std::string>{"image.ppm", "scene.lrs"}));
+}
+
+TEST_F(EndToEnd, FormatsAndStreamsShowTheSamePicture) {
+    directory_.write("scene.lrs", kScene);
+    EXPECT_EQ(run({"scene.lrs", "-o", "a.ppm"}).exit_code, 0);
+    EXPECT_EQ(run({"scene.lrs", "-o", "a.png"}).exit_code, 0);
+    EXPECT_EQ(run({"scene.lrs", "-o", "a.data", "--format", "png"}).exit_code, 0);
+    EXPECT_EQ(picture("a.png").pixels, picture("a.ppm").pixels);
+    EXPECT_EQ(directory_.read("a.data"), directory_.read("a.png"));
+    const auto streamed = run({"-i", "-", "-o", "-", "-n", "1"}, kScene);
+    EXPECT_EQ(streamed.exit_code, 0) << streamed.err;
+    EXPECT_EQ(streamed.out, directory_.read("a.ppm"));
+    EXPECT_EQ(streamed.err, "");
+}
+
+TEST_F(EndToEnd, ThreadsAndCropsDoNotChangeAPixel) {
+    directory_.write("scene.lrs", kScene);
+    ASSERT_EQ(run({"scene.lrs", "-o", "a.ppm", "--threads", "1"}).exit_code, 0);
+    ASSERT_EQ(run({"scene.lrs", "-o", "b.ppm", "--threads", "8"}).exit_code, 0);
+    EXPECT_EQ(directory_.read("a.ppm"), directory_.read("b.ppm"));
+    ASSERT_EQ(run({"scene.lrs", "-o", "c.ppm", "--crop", "20,10,50,40"}).exit_code, 0);
+    const image::Image whole = picture("a.ppm");
+    const image::Image crop = picture("c.ppm");
+    ASSERT_EQ(crop.width, 30u);
+    ASSERT_EQ(crop.height, 30u);
+    for (std::uint32_t y = 0; y < 30; ++y) {
+        for (std::uint32_t x = 0; x < 30; ++x) {
+            ASSERT_EQ(crop.at(x, y), whole.at(x + 20, y + 10));
+        }
+    }
+}
+
+TEST_F(EndToEnd, InfoOfTheSceneIsInThePng) {
+    directory_.write("scene.lrs", std::string(kScene) + "info { title: \"One sphere\" }\n");
+    ASSERT_EQ(run({"scene.lrs", "-o", "a.png"}).exit_code, 0);
+    EXPECT_TRUE(contains(directory_.read("a.png"), std::string_view("Title\0One sphere", 16)));
+}
+
+TEST_F(EndToEnd, RequestedTextGoesToStdout) {
+    const auto help = run({"--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_TRUE(contains(help.out, "usage: lray -n 1 -i scene.lrs -o image.ppm"));
+    EXPECT_EQ(help.err, "");
+    const auto version = run({"-version"});
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_TRUE(version.out.starts_with("lray "));
+    const auto explained = run({"--explain", "e0401"});
+    EXPECT_EQ(explained.exit_code, 0);
+    EXPECT_TRUE(explained.out.starts_with("E0401: ")) << explained.out;
+    EXPECT_EQ(explained.err, "");
+}
+
+TEST_F(EndToEnd, CheckSaysThatThereAreNoErrors) {
+    directory_.write("scene.lrs", kScene);
+    const auto result = run({"--check", "scene.lrs"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.out, "scene.lrs: no errors\n");
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(directory_.names(), std::vector<std::string>{"scene.lrs"});
+}
+
+TEST_F(EndToEnd, CheckOfAWrongSceneExits1) {
+    directory_.write("scene.lrs", kWrongScene);
+    const auto result = run({"--check", "scene.lrs"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(contains(result.err, "scene.lrs:2:10: error[E0401]")) << result.err;
+    EXPECT_TRUE(result.err.ends_with("1 error\n")) << result.err;
+}
+
+TEST_F(EndToEnd, WrongSceneExits1AndTouchesNothing) {
+    directory_.write("scene.lrs", kWrongScene);
+    directory_.write("image.ppm", "old");
+    const auto result = run({"-n", "1", "scene.lrs", "-o", "image.ppm"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(contains(result.err, "did you mean `radius`?")) << result.err;
+    EXPECT_TRUE(result.err.ends_with("1 error; nothing rendered\n")) << result.err;
+    EXPECT_EQ(directory_.read("image.ppm"), "old");
+}
+
+TEST_F(EndToEnd, MissingSceneExits1) {
+    const auto result = run({"nowhere.lrs", "-o", "image.ppm"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(contains(result.err, "nowhere.lrs")) << result.err;
+    EXPECT_TRUE(directory_.names().empty());
+}
+
+TEST_F(EndToEnd, WarningsRenderUnlessDenied) {
+    directory_.write("scene.lrs", kSceneWithoutCamera);
+    const auto warned = run({"scene.lrs", "-o", "a.ppm", "--size", "64x48"});
+    EXPECT_EQ(warned.exit_code, 0);
+    EXPECT_TRUE(contains(warned.err, "warning[W1501]")) << warned.err;
+    EXPECT_GT(picture("a.ppm").at(32, 24).r, 0.5f) << "the fitted camera looks at the sphere";
+    const auto denied = run({"scene.lrs", "-o", "b.ppm", "--deny", "warnings"});
+    EXPECT_EQ(denied.exit_code, 1);
+    EXPECT_TRUE(contains(denied.err, "1 warning, denied by `--deny warnings`; nothing rendered"))
+        << denied.err;
+    EXPECT_EQ(directory_.names(), (std::vector<std::string>{"a.ppm", "scene.lrs"}));
+    const auto checked = run({"--check", "scene.lrs"});
+    EXPECT_EQ(checked.exit_code, 0);
+    EXPECT_EQ(checked.out, "scene.lrs: no errors, 1 warning\n");
+}
+
+TEST_F(EndToEnd, WrongCommandLinesExit2) {
+    directory_.write("scene.lrs", kScene);
+    const std::vector<std::vector<std::string>> wrong{
+        {},
+        {"scene.lrs"},
+        {"-n", "1", "scene.lrs"},
+        {"-n", "2", "scene.lrs", "-o", "a.ppm"},
+        {"-n", "3", "scene.lrs"},
+        {"scene.lrs", "-o", "a.gif"},
+        {"scene.lrs", "-o", "a.ppm", "--acc", "none"},
+        {"scene.lrs", "-o", "a.ppm", "--camera", "top"},
+        {"scene.lrs", "-o", "a.ppm", "--crop", "0,0,65,48"},
+        {"scene.lrs", "-o", "scene.lrs", "--format", "ppm"},
+        {"--explain", "E9999"},
+    };
+    for (const auto& arguments : wrong) {
+        const auto result = run(arguments);
+        EXPECT_EQ(result.exit_code, 2) << testing::PrintToString(arguments) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_TRUE(result.err.starts_with("lray: ")) << result.err;
+    }
+    EXPECT_EQ(directory_.read("scene.lrs"), kScene);
+    EXPECT_EQ(directory_.names(), std::vector<std::string>{"scene.lrs"});
+}
+
+TEST_F(EndToEnd, ControlCharactersNeverReachTheTerminal) {
+    const auto result = run({"--\x1b[31mred", "scene.lrs"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_FALSE(contains(result.err, "\x1b")) << result.err;
+}
+
+TEST_F(EndToEnd, LimitsExit3) {
+    directory_.write("scene.lrs", std::string(kScene) + "sphere { radius: 2 }\n");
+    const auto pixels = run({"scene.lrs", "-o", "a.ppm", "--max-output-pixels", "3071"});
+    EXPECT_EQ(pixels.exit_code, 3);
+    EXPECT_TRUE(contains(pixels.err, "3072 pixels; the limit is 3071")) << pixels.err;
+    EXPECT_TRUE(contains(pixels.err, "--max-output-pixels")) << pixels.err;
+    EXPECT_EQ(run({"scene.lrs", "-o", "a.ppm", "--size", "16385x16384"}).exit_code, 3);
+    const auto primitives = run({"scene.lrs", "-o", "a.ppm", "--max-primitives", "1"});
+    EXPECT_EQ(primitives.exit_code, 3);
+    EXPECT_TRUE(contains(primitives.err, "--max-primitives")) << primitives.err;
+    EXPECT_EQ(run({"scene.lrs", "-o", "a.ppm", "--max-scene-bytes", "10"}).exit_code, 3);
+    EXPECT_EQ(directory_.names(), std::vector<std::string>{"scene.lrs"});
+    EXPECT_EQ(
+        run({"scene.lrs", "-o", "a.ppm", "--max-output-pixels", "3072", "--max-primitives", "2"})
+            .exit_code,
+        0);
+}
+
+TEST_F(EndToEnd, OutputThatCannotBeWrittenExits4) {
+    directory_.write("scene.lrs", kScene);
+    const auto nowhere = run({"scene.lrs", "-o", "no/such/place.ppm"});
+    EXPECT_EQ(nowhere.exit_code, 4);
+    EXPECT_TRUE(contains(nowhere.err, "cannot write `no/such/place.ppm`")) << nowhere.err;
+    const auto full = run({"scene.lrs", "-o", "/dev/full", "--format", "ppm"});
+    EXPECT_EQ(full.exit_code, 4);
+    EXPECT_TRUE(contains(full.err, "/dev/full")) << full.err;
+    EXPECT_EQ(run({"scene.lrs", "-o", "/dev/full", "--format", "png"}).exit_code, 4);
+}
+
+TEST_F(EndToEnd, StdoutThatIsFullOrClosedExits4) {
+    directory_.write("scene.lrs", kScene);
+    const std::string lray = LRAY_BINARY;
+    for (const std::string arguments : {" --help", " scene.lrs -o -"}) {
+        const auto full = test::run_process({"/bin/sh", "-c", lray + arguments + " >/dev/full"}, {},
+                                            directory_.path());
+        EXPECT_EQ(full.exit_code, 4) << arguments << full.err;
+        // The reader is gone before the program starts; its exit code goes to a file.
+        const auto closed = test::run_process(
+            {"/bin/sh", "-c", "{ sleep 0.2; " + lray + arguments + "; echo $? >code; } | true"}, {},
+            directory_.path());
+        EXPECT_EQ(directory_.read("code"), "4\n") << arguments << closed.err;
+    }
+}
+
+TEST_F(EndToEnd, SamplesAtLevelOneWarnAndRender) {
+    directory_.write("scene.lrs", kScene);
+    const auto result = run({"-n", "1", "-ps", "16", "scene.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_TRUE(contains(result.err, "warning: `-ps 16` is ignored")) << result.err;
+}
+
+TEST_F(EndToEnd, StatsGoToStderr) {
+    directory_.write("scene.lrs", kScene);
+    const auto result = run({"scene.lrs", "-o", "-", "--stats"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_TRUE(result.out.starts_with("P6"));
+    EXPECT_TRUE(contains(result.err, "1 spheres")) << result.err;
+    EXPECT_TRUE(contains(result.err, "3072, 1.0 tests per ray")) << result.err;
+}
+
+/// A picture that takes minutes without a hierarchy, and the program at work on it.
+class Interrupted : public EndToEnd {
+ protected:
+    void start() {
+        std::string scene = kScene;
+        for (int i = 0; i < 20'000; ++i) {
+            scene += "sphere { radius: 0.5, center: [0, 0, -" + std::to_string(i) + "] }\n";
+        }
+        directory_.write("scene.lrs", scene);
+        directory_.write("image.png", "old");
+        process_.emplace(std::vector<std::string>{LRAY_BINARY, "scene.lrs", "-o", "image.png",
+                                                  "--size", "2000x2000"},
+                         std::string_view{}, directory_.path());
+        // The output is opened when the render begins: a temporary file appears beside it.
+        for (int i = 0; i < 300 && directory_.names().size() < 3; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
+        ASSERT_GE(directory_.names().size(), 3u) << "the render did not begin";
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    }
+
+    void expect_partial_picture(const test::ProcessResult& result) {
+        EXPECT_TRUE(contains(result.err, "image.partial.png")) << result.err;
+        EXPECT_TRUE(contains(result.err, "without a hierarchy")) << result.err;
+        EXPECT_EQ(directory_.read("image.png"), "old");
+        EXPECT_EQ(directory_.names(),
+                  (std::vector<std::string>{"image.partial.png", "image.png", "scene.lrs"}));
+        EXPECT_EQ(picture("image.partial.png").width, 2000u);
+    }
+
+    std::optional<test::Process> process_;
+};
+
+TEST_F(Interrupted, ControlCWritesWhatThereIsAndExits130) {
+    start();
+    process_->send_signal(SIGINT);
+    const auto result = process_->wait();
+    EXPECT_EQ(result.exit_code, 130);
+    expect_partial_picture(result);
+}
+
+TEST_F(Interrupted, TerminationWritesWhatThereIsAndExits143) {
+    start();
+    process_->send_signal(SIGTERM);
+    const auto result = process_->wait();
+    EXPECT_EQ(result.exit_code, 143);
+    expect_partial_picture(result);
+}
+
+}  // namespace
+}  // namespace lray

@@ -1,0 +1,261 @@
+#include "cli/options.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string_view>
+
+#include "cli/option_table.h"
+
+namespace lray::cli {
+namespace {
+
+std::variant<Options, Failure> parse(std::vector<const char*> arguments) {
+    return parse_options(arguments);
+}
+
+Options parsed(std::vector<const char*> arguments) {
+    auto result = parse(std::move(arguments));
+    if (const auto* failure = std::get_if<Failure>(&result)) {
+        ADD_FAILURE() << failure->message;
+        return {};
+    }
+    return std::get<Options>(result);
+}
+
+Failure failed(std::vector<const char*> arguments) {
+    auto result = parse(std::move(arguments));
+    if (std::holds_alternative<Options>(result)) {
+        ADD_FAILURE() << "no error";
+        return {ExitCode::done, {}, {}};
+    }
+    const Failure failure = std::get<Failure>(result);
+    EXPECT_EQ(failure.exit_code, ExitCode::usage);
+    return failure;
+}
+
+TEST(Options, BriefCommandLine) {
+    const Options options = parsed({"-n", "1", "-i", "scene.lrs", "-o", "image.ppm"});
+    EXPECT_EQ(options.mode, Mode::render);
+    EXPECT_EQ(options.level, 1u);
+    EXPECT_EQ(options.scene_path, "scene.lrs");
+    EXPECT_EQ(options.output_path, "image.ppm");
+    EXPECT_EQ(options.format, image::Format::ppm);
+    EXPECT_EQ(options.thread_count, 0u);
+    EXPECT_EQ(options.max_errors, 20u);
+    EXPECT_EQ(options.max_output_pixels, 268'435'456u);
+    EXPECT_TRUE(options.warnings.empty());
+}
+
+TEST(Options, SceneWithoutItsOptionAnywhere) {
+    EXPECT_EQ(parsed({"scene.lrs", "-o", "a.png"}).scene_path, "scene.lrs");
+    EXPECT_EQ(parsed({"-o", "a.png", "scene.lrs"}).scene_path, "scene.lrs");
+    EXPECT_EQ(parsed({"-o", "a.png", "-n", "1", "--", "-odd.lrs"}).scene_path, "-odd.lrs");
+    EXPECT_EQ(parsed({"-", "-o", "a.png"}).scene_path, "-");
+    EXPECT_EQ(parsed({"scene.lrs", "-o", "a.png"}).level, std::nullopt);
+}
+
+TEST(Options, OneOrTwoDashesAndEqualsSign) {
+    for (const char* spelling : {"-threads", "--threads"}) {
+        EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm", spelling, "3"}).thread_count, 3u);
+    }
+    EXPECT_EQ(parsed({"a.lrs", "-o=a.ppm", "--threads=3"}).thread_count, 3u);
+    EXPECT_EQ(parsed({"a.lrs", "--o", "a.ppm", "--n", "1", "--ps", "1"}).level, 1u);
+}
+
+TEST(Options, LastOneGivenCounts) {
+    const Options options = parsed({"-i", "a.lrs", "-o", "a.png", "--threads", "1", "-i", "b.lrs",
+                                    "--threads", "2", "-o", "b.ppm"});
+    EXPECT_EQ(options.scene_path, "b.lrs");
+    EXPECT_EQ(options.output_path, "b.ppm");
+    EXPECT_EQ(options.thread_count, 2u);
+    EXPECT_EQ(options.format, image::Format::ppm);
+}
+
+TEST(Options, EveryValueReachesItsPlace) {
+    const Options options = parsed({"a.lrs",    "-o",
+                                    "a.ppm",    "--size",
+                                    "640x480",  "--crop",
+                                    "1,2,3,4",  "--camera",
+                                    "top view", "--accel",
+                                    "none",     "--stats",
+                                    "--quiet",  "--color",
+                                    "never",    "--max-errors",
+                                    "0",        "--deny",
+                                    "warnings", "--format",
+                                    "PNG",      "-I",
+                                    "x",        "-I",
+                                    "y",        "--allow",
+                                    "z",        "--max-nesting",
+                                    "1",        "--max-include-depth",
+                                    "2",        "--max-files",
+                                    "3",        "--max-scene-bytes",
+                                    "4",        "--max-mesh-bytes",
+                                    "5",        "--max-primitives",
+                                    "6",        "--max-output-pixels",
+                                    "7"});
+    EXPECT_EQ(options.size, (scene::Resolution{640, 480}));
+    ASSERT_TRUE(options.crop);
+    EXPECT_EQ(options.crop->x0, 1u);
+    EXPECT_EQ(options.crop->y0, 2u);
+    EXPECT_EQ(options.crop->x1, 3u);
+    EXPECT_EQ(options.crop->y1, 4u);
+    EXPECT_EQ(options.camera_name, "top view");
+    EXPECT_TRUE(options.stats);
+    EXPECT_TRUE(options.quiet);
+    EXPECT_EQ(options.color, ColorMode::never);
+    EXPECT_EQ(options.max_errors, 0u);
+    EXPECT_TRUE(options.deny_warnings);
+    EXPECT_EQ(options.format, image::Format::png);
+    EXPECT_EQ(options.include_directories, (std::vector<std::string>{"x", "y"}));
+    EXPECT_EQ(options.allowed_directories, std::vector<std::string>{"z"});
+    EXPECT_EQ(options.load_limits.nesting, 1u);
+    EXPECT_EQ(options.load_limits.include_depth, 2u);
+    EXPECT_EQ(options.load_limits.files, 3u);
+    EXPECT_EQ(options.load_limits.scene_bytes, 4u);
+    EXPECT_EQ(options.load_limits.mesh_bytes, 5u);
+    EXPECT_EQ(options.flatten_limits.primitives, 6u);
+    EXPECT_EQ(options.max_output_pixels, 7u);
+}
+
+TEST(Options, ModesNeedNoPicture) {
+    EXPECT_EQ(parsed({"--help"}).mode, Mode::help);
+    EXPECT_EQ(parsed({"--version"}).mode, Mode::version);
+    EXPECT_EQ(parsed({"--check", "a.lrs"}).mode, Mode::check);
+    EXPECT_EQ(parsed({"-n", "1", "a.lrs", "--check"}).mode, Mode::check);
+    const Options explain = parsed({"--explain", "E0401"});
+    EXPECT_EQ(explain.mode, Mode::explain);
+    EXPECT_EQ(explain.explained, "E0401");
+}
+
+TEST(Options, FormatByOptionThenExtensionThenStdout) {
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.PNG"}).format, image::Format::png);
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.png", "--format", "ppm"}).format, image::Format::ppm);
+    EXPECT_EQ(parsed({"a.lrs", "-o", "-"}).format, image::Format::ppm);
+    EXPECT_EQ(parsed({"a.lrs", "-o", "-", "--format", "png"}).format, image::Format::png);
+    EXPECT_EQ(failed({"a.lrs", "-o", "a.gif"}).message, "no picture format is called `gif`");
+    EXPECT_EQ(failed({"a.lrs", "-o", "a"}).message, "`a` has no extension that names a format");
+    EXPECT_NE(failed({"a.lrs", "-o", "a"}).help.find(".ppm or .png"), std::string::npos);
+    EXPECT_EQ(failed({"a.lrs", "-o", "a", "--format", "gif"}).message,
+              "`--format` takes ppm or png, not `gif`");
+}
+
+TEST(Options, AbbreviationsAreRefusedWithTheWholeName) {
+    EXPECT_EQ(failed({"--thr", "4"}).message, "unknown option `--thr`");
+    EXPECT_EQ(failed({"--thr", "4"}).help, "did you mean `--threads`?");
+    EXPECT_EQ(failed({"-thr=4"}).message, "unknown option `-thr`");
+    EXPECT_EQ(failed({"--max"}).help,
+              "did you mean `--max-errors`, `--max-nesting` or `--max-include-depth`?");
+    EXPECT_EQ(failed({"-h"}).help, "did you mean `--help`?");
+    EXPECT_EQ(failed({"--p", "4"}).help, "did you mean `-ps`?");
+}
+
+TEST(Options, SlipsAreUnderstood) {
+    EXPECT_EQ(failed({"--thraeds", "4"}).help, "did you mean `--threads`?");
+    EXPECT_EQ(failed({"--colour=never"}).message, "unknown option `--colour`");
+    EXPECT_EQ(failed({"--colour=never"}).help, "did you mean `--color`?");
+    EXPECT_EQ(failed({"-sp", "4"}).help, "did you mean `--spp`?");
+    EXPECT_EQ(failed({"--zzzzzz"}).help, "`lray --help` shows all options");
+}
+
+TEST(Options, MissingAndSuperfluousValues) {
+    EXPECT_EQ(failed({"a.lrs", "-o"}).message, "`-o` needs a value: `-o FILE`");
+    EXPECT_EQ(failed({"--size"}).message, "`--size` needs a value: `--size WxH`");
+    EXPECT_EQ(failed({"--stats=3"}).message, "`--stats` takes no value");
+    EXPECT_EQ(failed({"-o", ""}).message, "`-o` needs a file name, not an empty text");
+    EXPECT_EQ(failed({""}).message, "the scene's file name is empty");
+}
+
+TEST(Options, WrongValuesSayWhatIsTaken) {
+    EXPECT_EQ(failed({"-n", "4"}).message, "`-n` takes a level, 1, 2 or 3, not `4`");
+    EXPECT_EQ(failed({"-ps", "0"}).message, "`-ps` takes a whole number from 1 to 32768, not `0`");
+    EXPECT_EQ(failed({"-ps", "32769"}).message,
+              "`-ps` takes a whole number from 1 to 32768, not `32769`");
+    EXPECT_EQ(failed({"--threads", "-1"}).message,
+              "`--threads` takes a whole number from 0 to 1024, not `-1`");
+    EXPECT_EQ(failed({"--max-files", "2k"}).message,
+              "`--max-files` takes a whole number from 1, not `2k`");
+    EXPECT_EQ(failed({"--max-scene-bytes", "99999999999999999999"}).message,
+              "`--max-scene-bytes` takes a whole number from 1, not `99999999999999999999`");
+    EXPECT_EQ(failed({"--color", "blue"}).message,
+              "`--color` takes auto, always or never, not `blue`");
+    EXPECT_EQ(failed({"--deny", "errors"}).message, "`--deny` takes `warnings`, not `errors`");
+    EXPECT_EQ(failed({"--accel", "kd"}).message,
+              "`--accel` takes none, spheres or boxes, not `kd`");
+    for (const char* size :
+         {"800", "800x", "x600", "0x600", "800x600x3", "8 x 6", "2147483648x1"}) {
+        EXPECT_EQ(failed({"--size", size}).message,
+                  std::string("`--size` takes a width and a height in pixels like `800x600`, "
+                              "not `") +
+                      size + "`");
+    }
+    for (const char* crop : {"", "1,2,3", "1,2,3,4,5", "1,2,3,", "a,b,c,d", "-1,0,2,2"}) {
+        EXPECT_EQ(failed({"--crop", crop}).message,
+                  std::string("`--crop` takes four pixel positions X0,Y0,X1,Y1 like "
+                              "`0,0,320,240`, not `") +
+                      crop + "`");
+    }
+    EXPECT_EQ(failed({"--crop", "3,0,3,4"}).message,
+              "`--crop` `3,0,3,4` holds no pixel: X0 must be less than X1 and Y0 less than Y1");
+}
+
+TEST(Options, WhatThisVersionLacksIsSaidWithWhatItHas) {
+    for (const char* level : {"2", "3"}) {
+        const std::string message = failed({"-n", level, "a.lrs", "-o", "a.ppm"}).message;
+        EXPECT_NE(message.find("not available in this version"), std::string::npos) << message;
+        EXPECT_NE(message.find("`-n 1`"), std::string::npos) << message;
+    }
+    for (const char* accel : {"spheres", "boxes"}) {
+        const std::string message = failed({"a.lrs", "-o", "a.ppm", "--accel", accel}).message;
+        EXPECT_NE(message.find("not available in this version"), std::string::npos) << message;
+        EXPECT_NE(message.find("`--accel none`"), std::string::npos) << message;
+    }
+    const Failure window = failed({"rooms/hall.lrs"});
+    EXPECT_NE(window.message.find("not available in this version"), std::string::npos);
+    EXPECT_EQ(window.help, "lray -n 1 -i rooms/hall.lrs -o hall.ppm");
+}
+
+TEST(Options, LevelOneWithoutOutputShowsTheFix) {
+    const Failure failure = failed({"-n", "1", "-i", "a b.lrs"});
+    EXPECT_EQ(failure.message, "level 1 writes a picture; say where with `-o`");
+    EXPECT_EQ(failure.help, "lray -n 1 -i 'a b.lrs' -o 'a b.ppm'");
+    EXPECT_EQ(failed({"-n", "1", "-"}).help, "lray -n 1 -i - -o image.ppm");
+}
+
+TEST(Options, NoSceneOrTwoScenes) {
+    EXPECT_EQ(failed({}).message, "no scene is given");
+    EXPECT_EQ(failed({}).help, "lray -n 1 -i scene.lrs -o image.ppm");
+    EXPECT_EQ(failed({"--check"}).message, "no scene is given");
+    EXPECT_EQ(failed({"a.lrs", "b.lrs"}).message, "two scenes are given, `a.lrs` and `b.lrs`");
+    EXPECT_EQ(failed({"-i", "a.lrs", "b.lrs"}).message,
+              "two scenes are given, `a.lrs` and `b.lrs`");
+    EXPECT_EQ(failed({"b.lrs", "-i", "a.lrs"}).message,
+              "two scenes are given, `b.lrs` and `a.lrs`");
+}
+
+TEST(Options, SamplesAtLevelOneWarn) {
+    for (const char* name : {"-ps", "--spp"}) {
+        const Options options = parsed({"-n", "1", name, "16", "a.lrs", "-o", "a.ppm"});
+        ASSERT_EQ(options.warnings.size(), 1u);
+        EXPECT_EQ(options.warnings[0],
+                  "`-ps 16` is ignored: level 1 sends one ray through the centre of each pixel");
+    }
+    EXPECT_TRUE(parsed({"-n", "1", "-ps", "1", "a.lrs", "-o", "a.ppm"}).warnings.empty());
+}
+
+TEST(Options, NamesAreUniqueAndAllAreInTheHelp) {
+    const std::string help = help_text();
+    std::set<std::string_view> names;
+    for (const OptionGroup& group : option_groups()) {
+        EXPECT_NE(help.find(group.title), std::string::npos);
+        for (const OptionSpec& spec : group.options) {
+            EXPECT_TRUE(names.insert(spec.name).second) << spec.name;
+            EXPECT_NE(help.find(spelled(spec.name)), std::string::npos) << spec.name;
+        }
+    }
+    EXPECT_EQ(spelled("ps"), "-ps");
+    EXPECT_EQ(spelled("spp"), "--spp");
+}
+
+}  // namespace
+}  // namespace lray::cli

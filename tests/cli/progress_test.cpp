@@ -1,0 +1,65 @@
+#include "cli/progress.h"
+
+#include <gtest/gtest.h>
+
+namespace lray::cli {
+namespace {
+
+TEST(Progress, BarShowsShareAndTimeLeftAndIsErased) {
+    Progress progress(ProgressStyle::bar);
+    EXPECT_EQ(progress.update({10, 100}, 0.4), "") << "a short render shows no bar";
+    EXPECT_EQ(progress.finish(), "");
+    EXPECT_EQ(progress.update({25, 100}, 1.0),
+              "\r\x1b[K[##########..............................]  25 %  0:03 left");
+    EXPECT_EQ(progress.update({100, 100}, 4.0),
+              "\r\x1b[K[########################################] 100 %  0:00 left");
+    EXPECT_EQ(progress.finish(), "\r\x1b[K");
+}
+
+TEST(Progress, BarBeforeTheFirstPixelDoesNotGuess) {
+    Progress progress(ProgressStyle::bar);
+    EXPECT_EQ(progress.update({0, 100}, 1.0),
+              "\r\x1b[K[........................................]   0 %  ? left");
+}
+
+TEST(Progress, BarIsNotFullBeforeTheEnd) {
+    Progress progress(ProgressStyle::bar);
+    const std::string text = progress.update({999'999, 1'000'000}, 10.0);
+    EXPECT_NE(text.find(" 99 %"), std::string::npos) << text;
+}
+
+TEST(Progress, LinesComeEachTenPercentOnceTheRenderLasts) {
+    Progress progress(ProgressStyle::lines);
+    EXPECT_EQ(progress.update({30, 100}, 1.9), "");
+    EXPECT_EQ(progress.update({45, 100}, 4.5), "45 %, 0:06 left\n");
+    EXPECT_EQ(progress.update({49, 100}, 5.0), "");
+    EXPECT_EQ(progress.update({50, 100}, 5.0), "50 %, 0:05 left\n");
+    EXPECT_EQ(progress.finish(), "");
+}
+
+TEST(Progress, LinesComeEachThirtySecondsWhenItIsSlow) {
+    Progress progress(ProgressStyle::lines);
+    EXPECT_EQ(progress.update({1, 1000}, 29.0), "");
+    EXPECT_EQ(progress.update({1, 1000}, 30.0), "0 %, 8:19:30 left\n");
+    EXPECT_EQ(progress.update({2, 1000}, 59.0), "");
+    EXPECT_EQ(progress.update({2, 1000}, 60.0), "0 %, 8:19:00 left\n");
+}
+
+TEST(Progress, SilentSaysNothing) {
+    Progress progress(ProgressStyle::silent);
+    EXPECT_EQ(progress.update({50, 100}, 1000.0), "");
+    EXPECT_EQ(progress.finish(), "");
+}
+
+TEST(FormatDuration, SecondsMinutesHours) {
+    EXPECT_EQ(format_duration(0.0), "0:00");
+    EXPECT_EQ(format_duration(6.2), "0:07");
+    EXPECT_EQ(format_duration(59.5), "1:00");
+    EXPECT_EQ(format_duration(754.0), "12:34");
+    EXPECT_EQ(format_duration(3723.0), "1:02:03");
+    EXPECT_EQ(format_duration(1e300), "277777:46:40");
+    EXPECT_EQ(format_duration(-1.0), "0:00");
+}
+
+}  // namespace
+}  // namespace lray::cli

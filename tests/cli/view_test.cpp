@@ -1,0 +1,135 @@
+#include "cli/view.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace lray::cli {
+namespace {
+
+constexpr Color kRed{1.0f, 0.0f, 0.0f};
+constexpr Color kBlue{0.0f, 0.0f, 1.0f};
+
+scene::Scene scene_with_cameras() {
+    scene::Scene scene;
+    scene.render.resolution = {400, 300};
+    scene.render.background = kRed;
+    scene::Camera front;
+    front.name = "front";
+    front.position = {0.0, 0.0, 1.0};
+    scene::Camera top;
+    top.name = "top";
+    top.position = {0.0, 2.0, 0.1};
+    top.resolution = scene::Resolution{50, 40};
+    top.background = kBlue;
+    scene.cameras = {front, top};
+    return scene;
+}
+
+View chosen(const scene::Scene& scene, const Options& options) {
+    const auto result = choose_view(scene, {}, options);
+    if (const auto* failure = std::get_if<Failure>(&result)) {
+        ADD_FAILURE() << failure->message;
+        return {};
+    }
+    return std::get<View>(result);
+}
+
+Failure refused(const scene::Scene& scene, const Options& options) {
+    const auto result = choose_view(scene, {}, options);
+    if (std::holds_alternative<View>(result)) {
+        ADD_FAILURE() << "no error";
+        return {ExitCode::done, {}, {}};
+    }
+    return std::get<Failure>(result);
+}
+
+TEST(ChooseView, FirstCameraAndTheRenderBlock) {
+    const View view = chosen(scene_with_cameras(), {});
+    EXPECT_EQ(view.camera.name, "front");
+    EXPECT_EQ(view.render_options.resolution, (scene::Resolution{400, 300}));
+    EXPECT_EQ(view.render_options.background, kRed);
+    EXPECT_EQ(view.pixel_count(), 120'000u);
+}
+
+TEST(ChooseView, NamedCameraOverridesTheRenderBlock) {
+    Options options;
+    options.camera_name = "top";
+    const View view = chosen(scene_with_cameras(), options);
+    EXPECT_EQ(view.camera.name, "top");
+    EXPECT_EQ(view.render_options.resolution, (scene::Resolution{50, 40}));
+    EXPECT_EQ(view.render_options.background, kBlue);
+}
+
+TEST(ChooseView, CommandLineOverridesTheCamera) {
+    Options options;
+    options.camera_name = "top";
+    options.size = scene::Resolution{7, 5};
+    options.thread_count = 3;
+    const View view = chosen(scene_with_cameras(), options);
+    EXPECT_EQ(view.render_options.resolution, (scene::Resolution{7, 5}));
+    EXPECT_EQ(view.render_options.thread_count, 3u);
+}
+
+TEST(ChooseView, UnknownCameraIsAUsageErrorThatNamesTheOthers) {
+    Options options;
+    options.camera_name = "tpo";
+    const Failure near = refused(scene_with_cameras(), options);
+    EXPECT_EQ(near.exit_code, ExitCode::usage);
+    EXPECT_EQ(near.message, "the scene has no camera named `tpo`");
+    EXPECT_EQ(near.help, "did you mean `top`?");
+    options.camera_name = "elsewhere";
+    EXPECT_EQ(refused(scene_with_cameras(), options).help, "it has `front`, `top`");
+    scene::Scene nameless;
+    nameless.cameras.resize(1);
+    EXPECT_EQ(refused(nameless, options).help,
+              "none has a name; write one before its brace: camera \"front\" { ... }");
+    scene::Scene many;
+    many.cameras.resize(10);
+    for (std::size_t i = 0; i < 10; ++i) many.cameras[i].name = fmt::format("c{}", i);
+    EXPECT_EQ(refused(many, options).help,
+              "it has `c0`, `c1`, `c2`, `c3`, `c4`, `c5`, `c6`, `c7` and 2 more");
+}
+
+TEST(ChooseView, SceneWithoutCameraGetsAFittedOne) {
+    const View view = chosen({}, {});
+    EXPECT_EQ(view.render_options.resolution, (scene::Resolution{800, 600}));
+    EXPECT_GT(view.camera.position.y, 0.0);
+    EXPECT_NE(view.camera.position, scene::Camera{}.position);
+}
+
+TEST(ChooseView, CropMustLieInThePicture) {
+    Options options;
+    options.crop = render::PixelRect{0, 0, 400, 300};
+    EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 120'000u);
+    options.crop = render::PixelRect{399, 299, 400, 300};
+    EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 1u);
+    for (const auto& crop :
+         {render::PixelRect{0, 0, 401, 300}, render::PixelRect{0, 0, 400, 301}}) {
+        options.crop = crop;
+        const Failure failure = refused(scene_with_cameras(), options);
+        EXPECT_EQ(failure.exit_code, ExitCode::usage);
+        EXPECT_EQ(failure.help, "the picture has 400 x 300 pixels");
+    }
+    EXPECT_EQ(refused(scene_with_cameras(), options).message,
+              "`--crop 0,0,400,301` leaves the picture");
+}
+
+TEST(ChooseView, PixelLimitHoldsForWhatIsWritten) {
+    Options options;
+    options.max_output_pixels = 120'001;
+    EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 120'000u);
+    options.max_output_pixels = 120'000;
+    EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 120'000u);
+    options.max_output_pixels = 119'999;
+    const Failure failure = refused(scene_with_cameras(), options);
+    EXPECT_EQ(failure.exit_code, ExitCode::limit);
+    EXPECT_EQ(failure.message, "the picture would have 120000 pixels; the limit is 119999");
+    EXPECT_NE(failure.help.find("--max-output-pixels"), std::string::npos);
+    options.size = scene::Resolution{2147483647, 2147483647};
+    EXPECT_EQ(refused(scene_with_cameras(), options).exit_code, ExitCode::limit);
+    options.crop = render::PixelRect{2147483000, 2147483000, 2147483100, 2147483100};
+    EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 10'000u);
+}
+
+}  // namespace
+}  // namespace lray::cli

@@ -1,0 +1,151 @@
+#include "image/png.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <limits>
+
+#include "tests/image/pictures.h"
+#include "tests/support/temp_directory.h"
+
+namespace lray::image {
+namespace {
+
+using test::bytes_of;
+using test::random_image;
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
+std::string png_bytes(const Image& image, const Texts& metadata = {}) {
+    const test::TempDirectory directory;
+    std::string error;
+    auto out = OutputFile::open(directory.path("a.png"), error);
+    EXPECT_TRUE(out) << error;
+    EXPECT_TRUE(write_png(*out, image, metadata, error)) << error;
+    EXPECT_TRUE(out->commit()) << out->error();
+    return directory.read("a.png");
+}
+
+std::string read_error(std::string_view file, ReadLimits limits = {}) {
+    std::string error;
+    EXPECT_FALSE(read_png(bytes_of(file), limits, error));
+    return error;
+}
+
+/// A PNG of one kind of colour, 2 x 1 pixels, made with libpng itself.
+std::string foreign_png(int color_type, int bit_depth, int interlace, std::string_view row,
+                        std::span<const png_color> palette = {}) {
+    std::string file;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    const auto write = [](png_structp p, png_bytep bytes, std::size_t size) {
+        static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<char*>(bytes), size);
+    };
+    png_set_write_fn(png, &file, write, nullptr);
+    png_set_IHDR(png, info, 2, 1, bit_depth, color_type, interlace, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    if (!palette.empty()) {
+        png_set_PLTE(png, info, palette.data(), static_cast<int>(palette.size()));
+    }
+    png_write_info(png, info);
+    const int pass_count = png_set_interlace_handling(png);
+    for (int pass = 0; pass < pass_count; ++pass) {
+        png_write_row(png, reinterpret_cast<png_const_bytep>(row.data()));
+    }
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return file;
+}
+
+void expect_codes(const std::string& file, const std::vector<int>& codes) {
+    std::string error;
+    const auto image = read_png(bytes_of(file), {}, error);
+    ASSERT_TRUE(image) << error;
+    ASSERT_EQ(image->pixels.size() * 3, codes.size());
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        EXPECT_EQ(srgb_encode_8(image->pixels[i / 3][static_cast<int>(i % 3)]), codes[i]) << i;
+    }
+}
+
+TEST(PngWrite, PictureReadsBack) {
+    const Image image = random_image(61, 47, 2);
+    std::string error;
+    const std::string file = png_bytes(image);
+    const auto read = read_png(bytes_of(file), {}, error);
+    ASSERT_TRUE(read) << error;
+    EXPECT_EQ(read->width, 61u);
+    EXPECT_EQ(read->height, 47u);
+    EXPECT_EQ(read->pixels, image.pixels);
+}
+
+TEST(PngWrite, HeaderSaysRgb8AndSrgbAndNoTime) {
+    const std::string file = png_bytes(random_image(3, 2, 3), {{"title", "a"}});
+    const std::string header("IHDR\0\0\0\3\0\0\0\2\x08\x02\0\0\0", 17);
+    EXPECT_EQ(file.substr(12, 17), header);
+    EXPECT_NE(file.find("sRGB"), std::string::npos);
+    EXPECT_EQ(file.find("tIME"), std::string::npos);
+    EXPECT_EQ(file.find("Creation Time"), std::string::npos);
+    EXPECT_EQ(file.find("gAMA"), std::string::npos);
+}
+
+TEST(PngWrite, SameArgumentsGiveTheSameBytes) {
+    const Texts metadata{{"title", "Four primitives"}};
+    EXPECT_EQ(png_bytes(random_image(20, 20, 4), metadata),
+              png_bytes(random_image(20, 20, 4), metadata));
+}
+
+TEST(PngWrite, MetadataIsTextAsciiOrUtf8) {
+    const std::string file = png_bytes(
+        random_image(1, 1, 5), {{"title", "Four primitives"}, {"author", "Zo\xc3\xab"}, {"", "x"}});
+    using namespace std::string_literals;
+    EXPECT_NE(file.find("tEXtTitle\0Four primitives"s), std::string::npos);
+    EXPECT_NE(file.find("iTXtAuthor\0\0\0\0\0Zo\xc3\xab"s), std::string::npos);
+}
+
+TEST(PngWrite, LongKeywordIsCutToWhatTheFormatAllows) {
+    const std::string file = png_bytes(random_image(1, 1, 6), {{std::string(200, 'k'), "v"}});
+    using namespace std::string_literals;
+    EXPECT_NE(file.find("tEXtK" + std::string(78, 'k') + "\0v"s), std::string::npos);
+}
+
+TEST(PngWrite, FullDiskIsAnErrorInWords) {
+    std::string error;
+    auto out = OutputFile::open("/dev/full", error);
+    ASSERT_TRUE(out) << error;
+    const bool is_written = write_png(*out, random_image(300, 300, 7), {}, error) && out->commit();
+    EXPECT_FALSE(is_written);
+    EXPECT_NE((error.empty() ? out->error() : error).find("space"), std::string::npos) << error;
+}
+
+TEST(PngRead, OtherKindsOfColourBecomeRgb8) {
+    using namespace std::string_literals;
+    const int plain = PNG_INTERLACE_NONE;
+    expect_codes(foreign_png(PNG_COLOR_TYPE_GRAY, 8, plain, "\x10\xf0"s),
+                 {16, 16, 16, 240, 240, 240});
+    expect_codes(foreign_png(PNG_COLOR_TYPE_GRAY, 1, plain, "\x40"s), {0, 0, 0, 255, 255, 255});
+    expect_codes(foreign_png(PNG_COLOR_TYPE_RGBA, 8, plain, "\1\2\3\0\4\5\6\x80"s),
+                 {1, 2, 3, 4, 5, 6});
+    expect_codes(foreign_png(PNG_COLOR_TYPE_RGB, 16, plain, "\x80\x80\0\0\xff\xff\1\1\2\2\3\3"s),
+                 {128, 0, 255, 1, 2, 3});
+    const std::vector<png_color> palette{{9, 8, 7}, {6, 5, 4}};
+    expect_codes(foreign_png(PNG_COLOR_TYPE_PALETTE, 8, plain, "\1\0"s, palette),
+                 {6, 5, 4, 9, 8, 7});
+    expect_codes(foreign_png(PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_ADAM7, "\1\2\3\4\5\6"s),
+                 {1, 2, 3, 4, 5, 6});
+}
+
+TEST(PngRead, EveryTruncationIsRefused) {
+    const std::string file = png_bytes(random_image(9, 9, 8), {{"title", "a"}});
+    for (std::size_t size = 0; size < file.size(); ++size) {
+        EXPECT_FALSE(read_error(file.substr(0, size)).empty()) << size;
+    }
+}
+
+TEST(PngRead, LimitIsCheckedBeforeMemoryIsTaken) {
+    const std::string file = png_bytes(random_image(4, 3, 9));
+    EXPECT_EQ(read_error(file, {11}), "4 x 3 pixels are more than the limit of 11");
+    std::string error;
+    EXPECT_TRUE(read_png(bytes_of(file), {12}, error)) << error;
+}
+
+}  // namespace
+}  // namespace lray::image

@@ -1,0 +1,83 @@
+#include "image/srgb.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace lray::image {
+namespace {
+
+// The standard's formulas, straight.
+double encode_by_formula(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+double decode_by_formula(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+TEST(SrgbDecode, All8BitCodesMatchTheFormula) {
+    for (int code = 0; code < 256; ++code) {
+        const double encoded = code / 255.0;
+        const double expected = decode_by_formula(encoded);
+        EXPECT_NEAR(srgb_decode(encoded), expected, 4e-16 + 4e-15 * expected) << code;
+        EXPECT_EQ(srgb_decode_8(static_cast<std::uint8_t>(code)),
+                  static_cast<float>(srgb_decode(encoded)));
+    }
+}
+
+TEST(SrgbEncode, All8BitCodesComeBack) {
+    for (int code = 0; code < 256; ++code) {
+        EXPECT_EQ(srgb_encode_8(srgb_decode_8(static_cast<std::uint8_t>(code))), code);
+    }
+}
+
+TEST(SrgbEncode, FineStepsMatchTheFormulaToFloatPrecision) {
+    for (int step = 0; step <= 100'000; ++step) {
+        const float linear = static_cast<float>(step) / 100'000.0f;
+        const double expected = encode_by_formula(static_cast<double>(linear));
+        ASSERT_NEAR(static_cast<double>(srgb_encode(linear)), expected, 3e-7) << linear;
+    }
+}
+
+TEST(SrgbEncode, CodeBordersRoundToNearest) {
+    for (int code = 0; code < 255; ++code) {
+        const double border = decode_by_formula((code + 0.5) / 255.0);
+        EXPECT_EQ(srgb_encode_8(static_cast<float>(border * (1.0 - 1e-5))), code);
+        EXPECT_EQ(srgb_encode_8(static_cast<float>(border * (1.0 + 1e-5))), code + 1);
+    }
+}
+
+TEST(SrgbEncode, OutsideOfTheRangeIsClamped) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(srgb_encode(-1.0f), 0.0f);
+    EXPECT_EQ(srgb_encode(1.0f), 1.0f);
+    EXPECT_EQ(srgb_encode(infinity), 1.0f);
+    EXPECT_EQ(srgb_encode(-infinity), 0.0f);
+    EXPECT_EQ(srgb_encode(std::numeric_limits<float>::quiet_NaN()), 0.0f);
+    EXPECT_EQ(srgb_encode_8(infinity), 255);
+    EXPECT_EQ(srgb_decode(2.0), 1.0);
+    EXPECT_EQ(srgb_decode(-1.0), 0.0);
+    EXPECT_EQ(srgb_decode(std::numeric_limits<double>::quiet_NaN()), 0.0);
+}
+
+TEST(SrgbRow, RunsAndChangesEncodeLikeSinglePixels) {
+    const std::vector<Color> pixels{{0.0f, 0.0f, 0.0f},
+                                    {1.0f, 0.5f, 0.0f},
+                                    {1.0f, 0.5f, 0.0f},
+                                    {0.2f, 0.5f, 0.0f},
+                                    {1.0f, 0.5f, 0.0f}};
+    std::vector<std::uint8_t> bytes(15);
+    srgb_encode_row(pixels, bytes);
+    for (std::size_t i = 0; i < 15; ++i) {
+        EXPECT_EQ(bytes[i], srgb_encode_8(pixels[i / 3][static_cast<int>(i % 3)])) << i;
+    }
+    std::vector<Color> decoded(5);
+    srgb_decode_row(bytes, decoded);
+    EXPECT_EQ(decoded[3].g, srgb_decode_8(188));
+}
+
+}  // namespace
+}  // namespace lray::image

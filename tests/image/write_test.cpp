@@ -1,0 +1,57 @@
+#include "image/write.h"
+
+#include <gtest/gtest.h>
+
+#include "image/read.h"
+#include "tests/image/pictures.h"
+#include "tests/support/temp_directory.h"
+
+namespace lray::image {
+namespace {
+
+TEST(FindFormat, NamesInAnyCaseAndNothingElse) {
+    EXPECT_EQ(find_format("ppm"), Format::ppm);
+    EXPECT_EQ(find_format("PNG"), Format::png);
+    EXPECT_EQ(find_format("Png"), Format::png);
+    EXPECT_EQ(find_format(""), std::nullopt);
+    EXPECT_EQ(find_format("pn"), std::nullopt);
+    EXPECT_EQ(find_format("pngx"), std::nullopt);
+    EXPECT_EQ(find_format("jpg"), std::nullopt);
+}
+
+TEST(Extension, LastDotOfTheNameBeginsIt) {
+    EXPECT_EQ(extension("a/b.png"), "png");
+    EXPECT_EQ(extension("b.tar.PPM"), "PPM");
+    EXPECT_EQ(extension("b."), "");
+    EXPECT_EQ(extension("b"), "");
+    EXPECT_EQ(extension("a.d/b"), "");
+    EXPECT_EQ(extension(".png"), "");
+    EXPECT_EQ(extension("a/.png"), "");
+    EXPECT_EQ(extension(""), "");
+}
+
+TEST(WriteImage, EachFormatIsToldApartWhenReadBack) {
+    const Image image = test::random_image(7, 5, 1);
+    for (const Format format : kFormats) {
+        const test::TempDirectory directory;
+        std::string error;
+        auto out = OutputFile::open(directory.path("picture"), error);
+        ASSERT_TRUE(out) << error;
+        ASSERT_TRUE(write_image(*out, image, format, {}, error)) << error;
+        ASSERT_TRUE(out->commit()) << out->error();
+        const std::string file = directory.read("picture");
+        const auto read = read_image(test::bytes_of(file), {}, error);
+        ASSERT_TRUE(read) << error;
+        EXPECT_EQ(read->pixels, image.pixels);
+        EXPECT_EQ(file.starts_with("P6"), format == Format::ppm);
+    }
+}
+
+TEST(ReadImage, UnknownBytesAreRefused) {
+    std::string error;
+    EXPECT_FALSE(read_image(test::bytes_of("GIF89a"), {}, error));
+    EXPECT_EQ(error, "this is neither a PNG nor a binary PPM (P6) file");
+}
+
+}  // namespace
+}  // namespace lray::image

@@ -1,0 +1,109 @@
+#include "render/film.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/support/random.h"
+
+namespace lray::render {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+TEST(Film, SingleSampleComesBackExactly) {
+    constexpr std::uint64_t kSeed = 5;
+    LRAY_TRACE_SEED(kSeed);
+    test::Random random(kSeed);
+    Film film(3, 2);
+    for (int i = 0; i < 10'000; ++i) {
+        const auto value = [&] {  // from 2^-9 to the maximum
+            return static_cast<float>(std::exp2(random.uniform(-9.0, 15.99)));
+        };
+        const float r = value();
+        const float g = value();
+        const Color sample{r, g, -value()};
+        film.clear();
+        film.add(2, 1, sample);
+        ASSERT_EQ(film.resolve(2, 1), sample);
+    }
+    EXPECT_EQ(film.resolve(0, 0), Color(0.0f));
+}
+
+TEST(Film, CommonConstantsComeBackExactly) {
+    for (const float value : {0.0f, 1.0f, 0.8f, 0.1f, 0x1p-9f, 0x1p-32f, 65504.0f}) {
+        Film film(1, 1);
+        film.add(0, 0, Color{value});
+        EXPECT_EQ(film.resolve(0, 0), Color(value)) << value;
+        EXPECT_EQ(film.counts().clamped, 0u);
+    }
+}
+
+TEST(Film, SmallValueIsWithinHalfAStep) {
+    for (const float value : {1e-3f, 1.7e-5f, 3e-9f, 1e-12f}) {
+        Film film(1, 1);
+        film.add(0, 0, Color{value});
+        EXPECT_NEAR(film.resolve(0, 0).r, value, 0x1p-33f) << value;
+    }
+}
+
+TEST(Film, OrderAndSplitDoNotMatter) {
+    constexpr std::uint64_t kSeed = 6;
+    LRAY_TRACE_SEED(kSeed);
+    test::Random random(kSeed);
+    std::vector<Color> samples(1000);
+    for (Color& sample : samples) {
+        sample = random.vec3(0.0, 1.0) * static_cast<float>(std::exp2(random.uniform(-20.0, 15.0)));
+    }
+    Film forward(1, 1);
+    Film backward(1, 1);
+    for (const Color& sample : samples) forward.add(0, 0, sample);
+    std::reverse(samples.begin(), samples.end());
+    for (const Color& sample : samples) backward.add(0, 0, sample);
+    EXPECT_EQ(forward.resolve(0, 0), backward.resolve(0, 0));
+
+    double sum = 0.0;
+    for (const Color& sample : samples) sum += static_cast<double>(sample.r);
+    EXPECT_NEAR(static_cast<double>(forward.resolve(0, 0).r), sum / 1000.0, sum * 1e-10);
+}
+
+TEST(Film, BrightestSamplesDoNotOverflow) {
+    Film film(1, 1);
+    for (std::uint32_t i = 0; i < Film::kMaxSamples; ++i) film.add(0, 0, Color{65504.0f});
+    EXPECT_EQ(film.resolve(0, 0), Color(65504.0f));
+    EXPECT_EQ(film.counts().clamped, 0u);
+}
+
+TEST(Film, TooBrightIsClampedAndCounted) {
+    Film film(1, 1);
+    film.add(0, 0, {kInf, 65505.0f, 1.0f});
+    EXPECT_EQ(film.resolve(0, 0), Color(65504.0f, 65504.0f, 1.0f));
+    EXPECT_EQ(film.counts().clamped, 1u);
+    EXPECT_EQ(film.counts().nan, 0u);
+    film.clear();
+    film.add(0, 0, {-kInf, 0.0f, 0.0f});
+    EXPECT_EQ(film.resolve(0, 0), Color(-65504.0f, 0.0f, 0.0f));
+    EXPECT_EQ(film.counts().clamped, 1u);
+}
+
+TEST(Film, NotANumberIsBlackAndCounted) {
+    Film film(1, 1);
+    film.add(0, 0, {1.0f, kNan, 1.0f});
+    film.add(0, 0, Color{1.0f});
+    EXPECT_EQ(film.resolve(0, 0), Color(0.5f));
+    EXPECT_EQ(film.counts().nan, 1u);
+    EXPECT_EQ(film.counts().clamped, 0u);
+}
+
+TEST(FilmDeathTest, OneSampleTooManyIsOurBug) {
+    Film film(1, 1);
+    for (std::uint32_t i = 0; i < Film::kMaxSamples; ++i) film.add(0, 0, Color{0.0f});
+    EXPECT_EXIT(film.add(0, 0, Color{0.0f}), testing::ExitedWithCode(70), "internal error");
+}
+
+}  // namespace
+}  // namespace lray::render

@@ -12,10 +12,10 @@
 #include <atomic>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
-
 
 namespace lray {
 namespace {
@@ -65,7 +65,7 @@ TEST_P(FileAccessTest, PathsAreRelativeToTheFileTheyAreWrittenIn) {
     EXPECT_EQ(up.path, "scenes/materials.lrs");
 }
 
-TEST_P(FileAccessTest, MainInThetest::CurrentDirectoryShowsBareNames) {
+TEST_P(FileAccessTest, MainInTheCurrentDirectoryShowsBareNames) {
     const test::CurrentDirectory scenes(directory_.path("scenes"));
     FileAccess files(GetParam());
     const ReadResult main = files.read_main("main.lrs", kMaxSize);
@@ -128,7 +128,8 @@ TEST_P(FileAccessTest, LinkInsideIsFollowedLinkToOutsideIsNot) {
 
 TEST_P(FileAccessTest, LinkIntoAnotherAllowedDirectoryIsFollowed) {
     fs::create_symlink("../secret/key.lrs", directory_.path("scenes/file.lrs"));
-    fs::create_symlink(directory_.path("scenes/parts/wheel.lrs"), directory_.path("scenes/absolute.lrs"));
+    fs::create_symlink(directory_.path("scenes/parts/wheel.lrs"),
+                       directory_.path("scenes/absolute.lrs"));
     EXPECT_EQ(read("absolute.lrs").text.view(), "wheel");
     files_.allow("secret", false);
     EXPECT_EQ(read("file.lrs").text.view(), "secret");

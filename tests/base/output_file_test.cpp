@@ -136,7 +136,7 @@ TEST(OutputFile, LinkStaysAndItsTargetIsWritten) {
     EXPECT_TRUE(fs::is_regular_file(directory.path("real/b.ppm")));
 }
 
-TEST(OutputFile, test::CurrentDirectoryMayChangeBeforeCommit) {
+TEST(OutputFile, CurrentDirectoryMayChangeBeforeCommit) {
     const test::TempDirectory directory;
     const test::CurrentDirectory outer(directory.path());
     OutputFile file = open("a.ppm");

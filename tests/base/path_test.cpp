@@ -35,7 +35,7 @@ TEST(Path, DirectoryKeepsItsOwnWayUp) {
     EXPECT_EQ(join_paths("..", "../a.lrs"), "../../a.lrs");
 }
 
-TEST(Path, AbsolutePathStartsAtThetest::CurrentDirectory) {
+TEST(Path, AbsolutePathStartsAtTheCurrentDirectory) {
     const test::TempDirectory directory;
     const test::CurrentDirectory current(directory.path());
     EXPECT_EQ(absolute_path("a.lrs"), directory.path("a.lrs"));

@@ -23,6 +23,24 @@ constexpr std::array<Confusable, 40> kConfusables = {{
     {0x0458, 'j', "CYRILLIC JE"},
 }};
 
+constexpr std::array<Lookalike, 15> kLookalikes = {{
+    {0x00A0, ' ', "no-break space", {}},
+    {0x00AB, '"', "guillemet", "\xC2\xBB"},
+    {0x00D7, '*', "multiplication sign", {}},
+    {0x2003, ' ', "em space", {}},
+    {0x2009, ' ', "thin space", {}},
+    {0x200B, ' ', "zero-width space", {}},
+    {0x2013, '-', "en dash", {}},
+    {0x2014, '-', "em dash", {}},
+    {0x2018, '"', "curly quote", "\xE2\x80\x99"},
+    {0x201C, '"', "curly quote", "\xE2\x80\x9D"},
+    {0x201D, '"', "curly quote", "\xE2\x80\x9D"},
+    {0x201E, '"', "curly quote", "\xE2\x80\x9C"},
+    {0x202F, ' ', "narrow no-break space", {}},
+    {0x2212, '-', "minus sign", {}},
+    {0xFEFF, ' ', "byte order mark", {}},
+}};
+
 }  // namespace
 
 CodePoint decode_utf8(std::string_view text) {
@@ -48,6 +66,13 @@ CodePoint decode_utf8(std::string_view text) {
 const Confusable* find_confusable(char32_t code_point) {
     for (const Confusable& confusable : kConfusables) {
         if (confusable.code_point == code_point) return &confusable;
+    }
+    return nullptr;
+}
+
+const Lookalike* find_lookalike(char32_t code_point) {
+    for (const Lookalike& lookalike : kLookalikes) {
+        if (lookalike.code_point == code_point) return &lookalike;
     }
     return nullptr;
 }

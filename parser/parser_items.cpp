@@ -73,6 +73,13 @@ void Parser::version() {
     }
 }
 
+// The version of an included file stands at its begin, too.
+void Parser::misplaced_version() {
+    error(Code::E0118, span_of(token_), "`lrs` and a version stand at the very begin of a file");
+    skip_line();
+    is_panicking_ = false;
+}
+
 // items = { SEP } [ item { sep item } ] { SEP }
 // sep   = SEP { SEP } | (* empty, if the previous item ended in "}" *)
 std::span<Item* const> Parser::items(bool is_file) {
@@ -141,10 +148,16 @@ Item* Parser::future_statement() {
     } else if (keyword.kind == TokenKind::kw_if) {
         error(Code::E0120, span_of(keyword), "`if { }` is not available in this version of lray")
             .with_help("a value can be chosen: `if a then b else c`");
+        skip_balanced();
+        while (token_.kind == TokenKind::kw_else) {
+            advance();
+            skip_balanced();
+        }
+        is_panicking_ = false;
+        return nullptr;
     } else if (keyword.kind < TokenKind::kw_match) {
         error(Code::E0120, span_of(keyword),
-              fmt::format("`{}` is not available in this version of lray", text))
-            .with_help("grammar.md tells what there is");
+              fmt::format("`{}` is not available in this version of lray", text));
     } else {
         error(Code::E0114, span_of(keyword),
               fmt::format("`{}` is a keyword, kept for later", text));
@@ -239,7 +252,9 @@ Item* Parser::include() {
 // head_item = IDENT ":" expr | IDENT "=" expr | head [ STRING ] body | head
 Item* Parser::head_item() {
     scene::NodeId node;
-    if (context_.use_literal_fast_path && literal_block(token_, node)) {
+    // The short cut trusts braces; the second run over a file does not.
+    const bool may_be_literal = context_.use_literal_fast_path && structure_ == Structure::braces;
+    if (may_be_literal && literal_block(token_, node)) {
         LiteralsItem* result =
             make_item<LiteralsItem>(ItemKind::literals, context_.scene.node(node).span);
         result->first_node = node.value;
@@ -253,6 +268,10 @@ Item* Parser::head_item() {
     const bool starts_value = next.kind == TokenKind::identifier ||
                               next.kind == TokenKind::number || next.kind == TokenKind::color ||
                               next.kind == TokenKind::kw_true || next.kind == TokenKind::kw_false;
+    if (is_on_line && next.kind == TokenKind::number && text_of(name) == "lrs") {
+        misplaced_version();
+        return nullptr;
+    }
     if (is_on_line && starts_value) return misplaced_name(name);
 
     NameExpr* head = make<NameExpr>(ExprKind::name, span_of(name));
@@ -306,6 +325,7 @@ Item* Parser::statement_expression(Expr* head) {
         foreign_operator(head);
         return nullptr;
     }
+    if (step_operator(*head)) return nullptr;
     if (head->kind == ExprKind::call) {
         CallItem* result = make_item<CallItem>(ItemKind::call, span);
         result->value = head;
@@ -329,8 +349,19 @@ Item* Parser::statement_expression(Expr* head) {
         }
         return nullptr;
     }
-    error(Code::E0107, here(), fmt::format("expected `:`, `{{` or `=` after `{}`", text));
+    error(Code::E0107, here(), fmt::format("expected `:` or `{{` after `{}`", text));
     return nullptr;
+}
+
+// `i++` and `i--`.
+bool Parser::step_operator(const Expr& head) {
+    const bool is_sign = token_.kind == TokenKind::plus || token_.kind == TokenKind::minus;
+    const bool is_doubled = is_sign && ahead().kind == token_.kind && continues_line() &&
+                            ahead().offset == token_.end();
+    if (!is_doubled) return false;
+    error(Code::E0112, lexer_.span(token_.offset, ahead().end()),
+          fmt::format("write `{0} = {0} {1} 1`", context_.sources.text(head.span), text_of(token_)));
+    return true;
 }
 
 // A name with a value behind it and nothing in between.

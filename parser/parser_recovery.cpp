@@ -174,12 +174,13 @@ std::string Parser::describe(const Token& token) const {
     return fmt::format("`{}`", text_of(token));
 }
 
-// Expects the closing bracket; whatever stands there instead, the bracket counts as closed.
-void Parser::close(TokenKind closer, const Token& opener) {
-    if (is_ended_) return;
+// Expects the closing bracket; whatever stands there instead, the bracket counts as closed. Returns
+// false if what the brackets hold is not to be trusted.
+bool Parser::close(TokenKind closer, const Token& opener) {
+    if (is_ended_) return false;
     if (token_.kind == closer && !is_panicking_) {
         advance();
-        return;
+        return true;
     }
     if (is_panicking_) {  // skip to the closer, if it is on this line
         int depth = 0;
@@ -187,20 +188,20 @@ void Parser::close(TokenKind closer, const Token& opener) {
             if (token_.kind == closer && depth == 0) {
                 advance();
                 is_panicking_ = false;
-                return;
+                return false;
             }
             if (token_.kind == TokenKind::left_bracket || token_.kind == TokenKind::left_paren) {
                 ++depth;
             } else if (token_.kind == TokenKind::right_bracket ||
                        token_.kind == TokenKind::right_paren) {
-                if (depth-- == 0) return;
+                if (depth-- == 0) return false;
             } else if (token_.kind == TokenKind::left_brace ||
                        token_.kind == TokenKind::right_brace) {
-                return;
+                return false;
             }
             advance();
         }
-        return;
+        return false;
     }
     const std::string_view wanted = closer == TokenKind::right_bracket ? "]" : ")";
     const bool is_other_closer =
@@ -228,6 +229,7 @@ void Parser::close(TokenKind closer, const Token& opener) {
               fmt::format("expected `,` or `{}`, found {}", wanted, describe(token_)));
         close(closer, opener);
     }
+    return false;
 }
 
 }  // namespace lray::parser

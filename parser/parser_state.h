@@ -27,9 +27,11 @@ class Parser {
     Item* head_item();
     Item* property();
     Item* statement_expression(Expr* head);
+    bool step_operator(const Expr& head);
     Item* misplaced_name(const Token& name);
     Body body(std::string_view head);
     void version();
+    void misplaced_version();
     Item* future_statement();
     void bad_statement();
 
@@ -65,7 +67,7 @@ class Parser {
     bool starts_item_on_new_line();
     bool is_dedented(const Token& token) const;
     bool closes_outer_block(const Token& token) const;
-    void close(TokenKind closer, const Token& opener);
+    bool close(TokenKind closer, const Token& opener);
     std::uint32_t line_indent(std::uint32_t offset) const;
     std::string position(const Token& token) const;
     std::string describe(const Token& token) const;

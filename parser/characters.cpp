@@ -24,21 +24,21 @@ constexpr std::array<Confusable, 40> kConfusables = {{
 }};
 
 constexpr std::array<Lookalike, 15> kLookalikes = {{
-    {0x00A0, ' ', "no-break space", {}},
-    {0x00AB, '"', "guillemet", "\xC2\xBB"},
-    {0x00D7, '*', "multiplication sign", {}},
-    {0x2003, ' ', "em space", {}},
-    {0x2009, ' ', "thin space", {}},
-    {0x200B, ' ', "zero-width space", {}},
-    {0x2013, '-', "en dash", {}},
-    {0x2014, '-', "em dash", {}},
-    {0x2018, '"', "curly quote", "\xE2\x80\x99"},
-    {0x201C, '"', "curly quote", "\xE2\x80\x9D"},
-    {0x201D, '"', "curly quote", "\xE2\x80\x9D"},
-    {0x201E, '"', "curly quote", "\xE2\x80\x9C"},
-    {0x202F, ' ', "narrow no-break space", {}},
-    {0x2212, '-', "minus sign", {}},
-    {0xFEFF, ' ', "byte order mark", {}},
+    {0x00A0, ' ', "a no-break space", {}},
+    {0x00AB, '"', "a guillemet", "\xC2\xBB"},
+    {0x00D7, '*', "a multiplication sign", {}},
+    {0x2003, ' ', "an em space", {}},
+    {0x2009, ' ', "a thin space", {}},
+    {0x200B, ' ', "a zero-width space", {}},
+    {0x2013, '-', "an en dash", {}},
+    {0x2014, '-', "an em dash", {}},
+    {0x2018, '"', "a curly quote", "\xE2\x80\x99"},
+    {0x201C, '"', "a curly quote", "\xE2\x80\x9D"},
+    {0x201D, '"', "a curly quote", "\xE2\x80\x9D"},
+    {0x201E, '"', "a curly quote", "\xE2\x80\x9C"},
+    {0x202F, ' ', "a narrow no-break space", {}},
+    {0x2212, '-', "a minus sign", {}},
+    {0xFEFF, ' ', "a byte order mark", {}},
 }};
 
 }  // namespace

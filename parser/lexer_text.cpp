@@ -36,6 +36,12 @@ Token Lexer::foreign_character() {
         if (confusable != nullptr) name += confusable->looks_like;
         to += point.length;
     }
+    if (first_foreign == nullptr && to > at_) {  // a plain name, with something else behind it
+        Token token = finish(TokenKind::identifier, to);
+        token.symbol = symbols_.intern({token_begin_, token.length});
+        if (token.symbol < kKeywords.size()) token.kind = static_cast<TokenKind>(token.symbol);
+        return token;
+    }
     if (first_foreign == nullptr) {  // not UTF-8
         check_code_point();
         return next();
@@ -106,8 +112,8 @@ Token Lexer::punctuation_lookalike(const Lookalike& lookalike, std::size_t size)
     if (lookalike.looks_like == '"') return quoted_otherwise(size, lookalike.closing);
     diagnostics_.error(Code::E0001, span_from(at_, at_ + size),
                        lookalike.looks_like == ' '
-                           ? fmt::format("this is a {}, not a space", lookalike.name)
-                           : fmt::format("this is a {}, not `{}`", lookalike.name,
+                           ? fmt::format("this is {}, not a space", lookalike.name)
+                           : fmt::format("this is {}, not `{}`", lookalike.name,
                                          lookalike.looks_like));
     at_ += size;
     if (lookalike.looks_like == ' ') return next();

@@ -180,7 +180,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, ErrorCorpus, ::testing::ValuesIn(case_names()),
                          });
 
 TEST(ErrorCorpus, HoldsACaseOfEveryCode) {
-    std::set<std::string> seen;
+    // An absolute path differs from machine to machine: its case is Files.AnAbsolutePathWarns.
+    std::set<std::string> seen = {"W1605"};
     for (const std::string& name : case_names()) {
         for (const std::string& line : lines_of(expected(kCorpus / (name + ".lrs")))) {
             const std::size_t open = line.find('[');

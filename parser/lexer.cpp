@@ -318,23 +318,8 @@ Token Lexer::hash() {
 }
 
 Token Lexer::punctuation() {
-    const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
     const auto one = [&](TokenKind kind) { return finish(kind, at_ + 1); };
-    const auto two = [&](TokenKind kind) { return finish(kind, at_ + 2); };
-    if (rest.starts_with("==")) return two(TokenKind::equal_equal);
-    if (rest.starts_with("!=")) return two(TokenKind::not_equal);
-    if (rest.starts_with("<=")) return two(TokenKind::less_equal);
-    if (rest.starts_with(">=")) return two(TokenKind::greater_equal);
-    const bool is_compound = rest.size() > 1 && rest[1] == '=' &&
-                             std::string_view("+-*/%^").find(rest[0]) != std::string_view::npos;
-    if (is_compound) return two(TokenKind::foreign);
-    for (const Foreign& foreign : kForeign) {
-        // `--` may be two signs: `- -x` glued. The parser knows.
-        if (rest.starts_with(foreign.text) && foreign.text != "++" && foreign.text != "--") {
-            return finish(TokenKind::foreign, at_ + foreign.text.size());
-        }
-    }
-    switch (rest[0]) {
+    switch (*at_) {  // what stands in every line of a scene first
         case '{':
             return one(TokenKind::left_brace);
         case '}':
@@ -353,6 +338,29 @@ Token Lexer::punctuation() {
             return one(TokenKind::semicolon);
         case ':':
             return one(TokenKind::colon);
+        default:
+            return operator_token();
+    }
+}
+
+Token Lexer::operator_token() {
+    const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
+    const auto one = [&](TokenKind kind) { return finish(kind, at_ + 1); };
+    const auto two = [&](TokenKind kind) { return finish(kind, at_ + 2); };
+    if (rest.starts_with("==")) return two(TokenKind::equal_equal);
+    if (rest.starts_with("!=")) return two(TokenKind::not_equal);
+    if (rest.starts_with("<=")) return two(TokenKind::less_equal);
+    if (rest.starts_with(">=")) return two(TokenKind::greater_equal);
+    const bool is_compound = rest.size() > 1 && rest[1] == '=' &&
+                             std::string_view("+-*/%^").find(rest[0]) != std::string_view::npos;
+    if (is_compound) return two(TokenKind::foreign);
+    for (const Foreign& foreign : kForeign) {
+        // `--` may be two signs: `- -x` glued. The parser knows.
+        if (rest.starts_with(foreign.text) && foreign.text != "++" && foreign.text != "--") {
+            return finish(TokenKind::foreign, at_ + foreign.text.size());
+        }
+    }
+    switch (rest[0]) {
         case '.':
             return one(TokenKind::dot);
         case '=':

@@ -47,6 +47,7 @@ class Lexer {
     Token punctuation_lookalike(const Lookalike& lookalike, std::size_t size);
     Token hash();
     Token punctuation();
+    Token operator_token();
     Token foreign_character();
     Token finish(TokenKind kind, const char* token_end);
     Span span_from(const char* from, const char* to) const;

@@ -33,9 +33,8 @@ bool take_numbers(Budget& budget, std::uint64_t count, Span span, Diagnostics& d
 
 /// Returns left op right, of arithmetic and comparisons: numbers, vectors element by element with
 /// each other or with a number, `+` of strings, `==` and `!=` of everything.
-/// Errors: poison, reported at `span`: E0301 types, E0302 lengths, E0503 no finite result, E0512 and
-/// E0516 when the budget is spent.
-/// Poison stays poison, in silence.
+/// Errors: poison, reported at `span`: E0301 types, E0302 lengths, E0503 no finite result, E0512
+/// and E0516 when the budget is spent. Poison stays poison, in silence.
 Value apply(TokenKind op, const Value& left, const Value& right, Span span, Arena& arena,
             Budget& budget, Diagnostics& diagnostics);
 

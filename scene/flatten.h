@@ -16,8 +16,10 @@ struct FlattenLimits {
 
 /// Returns the world-space primitives of everything under the scene's root, in the order of the
 /// graph. A sphere under a similarity stays a sphere; other quadrics carry their inverse map.
-/// Errors: empty when something cannot be placed: a singular or overflowing transform (E0310), or
-/// more primitives than the limit (E0513).
+/// Shapes and faces without area are dropped with a warning (W1201, W1702).
+/// Errors: empty when something cannot be placed: a singular or overflowing transform (E0310),
+/// coordinates or sizes that the world does not hold (E0304, placer.h), or more primitives than
+/// the limit (E0513), which is found before anything is made.
 std::optional<World> flatten(const Scene& scene, const FlattenLimits& limits,
                              Diagnostics& diagnostics);
 

@@ -19,7 +19,7 @@ namespace obj {
 
 namespace {
 
-constexpr std::size_t kMaxCorners = std::size_t{1} << 24;  // of one face
+constexpr std::size_t kMaxCorners = std::size_t{1} << 20;  // of one face
 
 /// Reads the statements of a file into a mesh builder. Forward indices make it impossible to judge
 /// an index before the end: the fast run gives up at the first mistake, and a second one, which
@@ -280,13 +280,7 @@ void tell_mistakes(const Text& text, Mistakes& mistakes) {
 std::optional<Mesh> read_obj(const Sources& sources, SourceId file, Span loaded_at,
                              Diagnostics& diagnostics) {
     const Text& text = sources[file].text;
-    // Every count of a mesh fits 32 bits then too: a corner takes two bytes or more.
-    if (text.size() > std::numeric_limits<std::uint32_t>::max()) {
-        Diagnostic& diagnostic = diagnostics.error(Code::E0516, Span::make(file, 0, 0),
-                                                   "an OBJ file must be smaller than 4 GiB");
-        if (!loaded_at.is_nowhere()) diagnostic.with_label(loaded_at, "loaded here");
-        return {};
-    }
+    // Places in the text have 32 bits, so every count of its mesh has: a corner takes two bytes.
     if (std::optional<Mesh> mesh = obj::read_fast(text)) return mesh;
     obj::Mistakes mistakes(text, file, loaded_at, diagnostics);
     obj::tell_mistakes(text, mistakes);

@@ -15,9 +15,9 @@ namespace lray::scene {
 /// and other statements are skipped.
 /// A face of which a corner lacks a normal has none, likewise uvs; a normal of length 0 stays zero
 /// and no face refers to it.
-/// Errors: empty when an error was reported at its place in the file (E0003 binary, E0516 more
-/// text than places can say, E0701 syntax, E0702 index out of range, E0704 no faces, E0705 a face
-/// with too many corners), with a label at `loaded_at` unless that is nowhere.
+/// Errors: empty when an error was reported at its place in the file (E0003 binary, E0701
+/// syntax, E0702 index out of range, E0704 no faces, E0705 a face with too many corners), with a
+/// label at `loaded_at` unless that is nowhere.
 std::optional<Mesh> read_obj(const Sources& sources, SourceId file, Span loaded_at,
                              Diagnostics& diagnostics);
 

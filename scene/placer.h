@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "base/diagnostics.h"
 #include "scene/scene.h"
@@ -41,7 +43,7 @@ class Placer {
     /// Makes triangle_normals and triangle_uvs as long as `triangles`. Call once, last.
     void finish();
 
-    /// Places without adding once a shape was refused: how many were.
+    /// How many shapes were refused with an error.
     std::size_t refused_count() const { return refused_count_; }
 
  private:

@@ -135,13 +135,14 @@ class NumberWriter {
     std::string write() {
         switch (below(8)) {
             case 0:
-                return digits(1 + below(8)) + "." + digits(below(9));
+                return fmt::format("{}.{}", digits(1 + below(8)), digits(below(9)));
             case 1:
-                return "." + digits(1 + below(25));
+                return fmt::format(".{}", digits(1 + below(25)));
             case 2:
                 return digits(1 + below(25));
             case 3:
-                return digits(1 + below(20)) + "." + digits(below(20)) + exponent(400);
+                return fmt::format("{}.{}{}", digits(1 + below(20)), digits(below(20)),
+                                   exponent(400));
             case 4:
                 return fmt::format("{:.{}e}", any_double(), below(20));
             case 5:  // subnormal
@@ -150,7 +151,8 @@ class NumberWriter {
             case 6:
                 return fmt::format("{}", any_double());
             default:
-                return digits(below(60)) + "." + digits(1 + below(900)) + exponent(1000);
+                return fmt::format("{}.{}{}", digits(below(60)), digits(1 + below(900)),
+                                   exponent(1000));
         }
     }
 

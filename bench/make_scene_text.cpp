@@ -1,0 +1,146 @@
+// Writes large inputs for read_speed: the same bytes every time, everywhere.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/output_file.h"
+
+namespace {
+
+constexpr std::string_view kUsage =
+    "usage: make_scene_text triangles|points|obj COUNT PATH\n"
+    "  triangles  COUNT literal triangle blocks, one on a line (.lrs)\n"
+    "  points     one packed list of COUNT points, one on a line (.lrs)\n"
+    "  obj        a height field of about COUNT triangles, positions and faces only (.obj)\n";
+
+/// Coordinates in [-1000, 1000) with four decimals.
+/// Source: SplitMix64, Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators".
+class Coordinates {
+ public:
+    double next() {
+        state_ += 0x9e3779b97f4a7c15u;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        z ^= z >> 31;
+        constexpr std::uint64_t kCount = 20'000'000;
+        return static_cast<double>(z % kCount) / 10'000.0 - 1000.0;
+    }
+
+ private:
+    std::uint64_t state_ = 1;
+};
+
+/// Text that goes to the file piece by piece.
+class Writer {
+ public:
+    explicit Writer(lray::OutputFile& file) : file_(file) {}
+
+    template <class... Args>
+    void print(fmt::format_string<Args...> format, Args... args) {
+        fmt::vformat_to(std::back_inserter(buffer_), fmt::string_view(format),
+                        fmt::make_format_args(args...));
+        constexpr std::size_t kPiece = std::size_t{1} << 20;
+        if (buffer_.size() >= kPiece) flush();
+    }
+
+    /// Returns false if anything could not be written.
+    bool finish() {
+        flush();
+        return is_good_ && file_.commit();
+    }
+
+ private:
+    void flush() {
+        is_good_ = is_good_ && file_.write(std::string_view(buffer_.data(), buffer_.size()));
+        buffer_.clear();
+    }
+
+    lray::OutputFile& file_;
+    fmt::memory_buffer buffer_;
+    bool is_good_ = true;
+};
+
+void write_triangles(std::uint64_t count, Writer& out) {
+    Coordinates random;
+    const auto point = [&](const char* name, const char* end) {
+        const double x = random.next();
+        const double y = random.next();
+        const double z = random.next();
+        out.print("{}: [{:.4f}, {:.4f}, {:.4f}]{}", name, x, y, z, end);
+    };
+    for (std::uint64_t i = 0; i < count; ++i) {
+        out.print("triangle {{ ");
+        point("a", ", ");
+        point("b", ", ");
+        point("c", " }\n");
+    }
+}
+
+void write_points(std::uint64_t count, Writer& out) {
+    Coordinates random;
+    out.print("let points = [\n");
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const double x = random.next();
+        const double y = random.next();
+        const double z = random.next();
+        out.print("[{:.4f}, {:.4f}, {:.4f}],\n", x, y, z);
+    }
+    out.print("]\n");
+}
+
+void write_obj(std::uint64_t count, Writer& out) {
+    // Two triangles in each of side x side cells.
+    const auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count) / 2.0));
+    Coordinates random;
+    for (std::uint64_t y = 0; y <= side; ++y) {
+        for (std::uint64_t x = 0; x <= side; ++x) {
+            out.print("v {:.6f} {:.6f} {:.6f}\n", static_cast<double>(x) / 64.0,
+                      random.next() / 1000.0, static_cast<double>(y) / 64.0);
+        }
+    }
+    for (std::uint64_t y = 0; y < side; ++y) {
+        for (std::uint64_t x = 0; x < side; ++x) {
+            const std::uint64_t here = y * (side + 1) + x + 1;
+            const std::uint64_t below = here + side + 1;
+            out.print("f {} {} {}\nf {} {} {}\n", here, below, here + 1, here + 1, below,
+                      below + 1);
+        }
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::string_view kind = argc == 4 ? argv[1] : "";
+    char* end = nullptr;
+    const std::uint64_t count = argc == 4 ? std::strtoull(argv[2], &end, 10) : 0;
+    const auto write = kind == "triangles" ? write_triangles
+                       : kind == "points"  ? write_points
+                       : kind == "obj"     ? write_obj
+                                           : nullptr;
+    if (write == nullptr || count == 0 || *end != '\0') {
+        fmt::print(stderr, "{}", kUsage);
+        return 2;
+    }
+    std::string error;
+    std::optional<lray::OutputFile> file = lray::OutputFile::open(argv[3], error);
+    if (!file) {
+        fmt::print(stderr, "{}: {}\n", argv[3], error);
+        return 4;
+    }
+    Writer out(*file);
+    write(count, out);
+    if (!out.finish()) {
+        fmt::print(stderr, "{}: {}\n", argv[3], file->error());
+        return 4;
+    }
+    return 0;
+}

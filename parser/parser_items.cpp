@@ -227,10 +227,22 @@ Item* Parser::let() {
         result->value = error_expr(span_of(name));
     } else {
         advance();
-        result->value = expression();
+        result->value = value();
     }
     result->span = span_from(begin);
     return result;
+}
+
+// The value of a property or name.
+Expr* Parser::value() {
+    Expr* read = expression();
+    if (skip_list_without_opener(*read)) return error_expr(read->span);
+    if (read->kind != ExprKind::name) return read;
+    const bool is_block = find_block(static_cast<NameExpr*>(read)->symbol) != nullptr;
+    const bool may_lack_brace =
+        token_.newline_before ? is_block : line_closes_too_many_braces(token_);
+    if (may_lack_brace && read_block_without_brace(read->span)) return error_expr(read->span);
+    return read;
 }
 
 // include = "include" STRING
@@ -300,7 +312,7 @@ Item* Parser::property() {
         result->value = error_expr(span_of(name));
         return result;
     }
-    result->value = expression();
+    result->value = value();
     result->span = span_from(name.offset);
     return result;
 }
@@ -333,20 +345,10 @@ Item* Parser::statement_expression(Expr* head) {
     }
     const std::string_view text = context_.sources.text(span);
     const BlockSchema* block = head->kind == ExprKind::name ? find_block(text) : nullptr;
+    if (token_.kind == TokenKind::string && continues_line()) advance();  // a label
+    if (read_block_without_brace(span)) return nullptr;
     if (block != nullptr) {
         error(Code::E0107, here(), fmt::format("expected `{{` after `{}`", text));
-        // A property on the next line, further in: the brace was forgotten, the body is there.
-        const bool has_body = token_.newline_before && token_.kind == TokenKind::identifier &&
-                              ahead().kind == TokenKind::colon &&
-                              line_indent(token_.offset) > line_indent(span.offset);
-        if (has_body) {
-            is_panicking_ = false;
-            is_structure_known_ = false;
-            openers_.push_back({span.offset, line_indent(span.offset)});
-            items(false);
-            openers_.pop_back();
-            if (token_.kind == TokenKind::right_brace) advance();
-        }
         return nullptr;
     }
     error(Code::E0107, here(), fmt::format("expected `:` or `{{` after `{}`", text));
@@ -379,16 +381,7 @@ Item* Parser::misplaced_name(const Token& name) {
         is_panicking_ = false;
         return nullptr;
     }
-    if (next.kind == TokenKind::identifier && ahead().kind == TokenKind::colon && is_block) {
-        error(Code::E0107, here(), fmt::format("expected `{{` after `{}`", text));
-        is_panicking_ = false;
-        is_structure_known_ = false;
-        openers_.push_back({name.offset, line_indent(name.offset)});
-        items(false);
-        openers_.pop_back();
-        if (token_.kind == TokenKind::right_brace) advance();
-        return nullptr;
-    }
+    if (read_block_without_brace(span_of(name))) return nullptr;
     error(Code::E0107, here(), fmt::format("expected `:` after `{}`", text));
     return nullptr;
 }

@@ -37,6 +37,7 @@ class Parser {
 
     // parser_expr.cpp
     Expr* expression();
+    Expr* value();
     Expr* binary(unsigned limit);
     Expr* unary();
     Expr* power();
@@ -68,6 +69,10 @@ class Parser {
     bool is_dedented(const Token& token) const;
     bool closes_outer_block(const Token& token) const;
     bool close(TokenKind closer, const Token& opener);
+    bool line_has_unopened_closer(const Token& from) const;
+    bool line_closes_too_many_braces(const Token& from) const;
+    bool skip_list_without_opener(const Expr& value);
+    bool read_block_without_brace(Span head);
     std::uint32_t line_indent(std::uint32_t offset) const;
     std::string position(const Token& token) const;
     std::string describe(const Token& token) const;
@@ -117,6 +122,7 @@ class Parser {
     std::uint32_t bracket_depth_ = 0;  // of ( and [ inside the innermost {
     std::uint32_t nesting_ = 0;
     bool is_panicking_ = false;  // an error was reported in this item: skip to the next
+    bool has_broken_brackets_ = false;  // it was one of ( ) [ ]: lines and commas mean nothing
     bool is_separated_ = false;  // recovery has already passed the separator of the next item
     bool is_structure_known_ = true;
     bool has_unclosed_ = false;

@@ -174,8 +174,7 @@ void Checker::let(LetItem& item) {
             .with_help("a name has one value; choose another name");
     } else if (hidden != nullptr) {
         diagnostics_
-            .warning(Code::W1102, item.name_span,
-                     fmt::format("`{0}` hides the outer `{0}`", text))
+            .warning(Code::W1102, item.name_span, fmt::format("`{0}` hides the outer `{0}`", text))
             .with_label(hidden->span, "the outer one");
     }
     item.slot = static_cast<std::uint32_t>(checked_.variables.size());

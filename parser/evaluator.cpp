@@ -178,8 +178,8 @@ void Evaluator::property(const PropertyItem& item, OpenBlock& open) {
     }
     const PropertyPlace place = find_place(open.schema, symbols_.text(item.name));
     LRAY_ASSERT(place.schema != nullptr);
-    const Value fitted = fit(*place.schema, value, item.value->span, diagnostics_,
-                             name_of(*item.value, sources_));
+    const Value fitted =
+        fit(*place.schema, value, item.value->span, diagnostics_, name_of(*item.value, sources_));
     if (fitted.is(ValueKind::poison)) {
         open.is_poisoned = true;
     } else if (place.is_common) {

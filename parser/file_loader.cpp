@@ -14,9 +14,9 @@ namespace {
 
 /// The ending of a file name when it is that of a mesh format other than OBJ; empty otherwise.
 std::string_view other_mesh_format(std::string_view path) {
-    constexpr std::array<std::string_view, 14> kOthers = {
-        ".3ds", ".abc", ".blend", ".dae", ".fbx", ".glb", ".gltf",
-        ".mtl", ".off", ".ply",   ".stl", ".usd", ".usda", ".x3d"};
+    constexpr std::array<std::string_view, 14> kOthers = {".3ds", ".abc",  ".blend", ".dae", ".fbx",
+                                                          ".glb", ".gltf", ".mtl",   ".off", ".ply",
+                                                          ".stl", ".usd",  ".usda",  ".x3d"};
     for (const std::string_view other : kOthers) {
         if (path.size() < other.size()) continue;
         const std::string_view ending = path.substr(path.size() - other.size());
@@ -126,7 +126,8 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
     if (!is_new) return mesh_id;
     if (const std::string_view format = other_mesh_format(path); !format.empty()) {
         diagnostics_
-            .error(Code::E0705, span, fmt::format("`{}` files are not read by this version", format))
+            .error(Code::E0705, span,
+                   fmt::format("`{}` files are not read by this version", format))
             .with_help("save the mesh as OBJ");
         return std::nullopt;
     }

@@ -83,7 +83,8 @@ Token Lexer::string() {
         check_code_point();
     }
     if (at_ < end_ && *at_ == '"') return finish(TokenKind::string, at_ + 1);
-    diagnostics_.error(Code::E0005, span_from(opening, at_), "this string is not closed on its line")
+    diagnostics_
+        .error(Code::E0005, span_from(opening, at_), "this string is not closed on its line")
         .with_help("end it with `\"`");
     return finish(TokenKind::string, unclosed_string_end(opening));
 }
@@ -110,11 +111,11 @@ Token Lexer::quoted_otherwise(std::size_t opening_size, std::string_view closing
 // A dash, quote or blank that is not the ASCII one: reported, then read as what it looks like.
 Token Lexer::punctuation_lookalike(const Lookalike& lookalike, std::size_t size) {
     if (lookalike.looks_like == '"') return quoted_otherwise(size, lookalike.closing);
-    diagnostics_.error(Code::E0001, span_from(at_, at_ + size),
-                       lookalike.looks_like == ' '
-                           ? fmt::format("this is {}, not a space", lookalike.name)
-                           : fmt::format("this is {}, not `{}`", lookalike.name,
-                                         lookalike.looks_like));
+    diagnostics_.error(
+        Code::E0001, span_from(at_, at_ + size),
+        lookalike.looks_like == ' '
+            ? fmt::format("this is {}, not a space", lookalike.name)
+            : fmt::format("this is {}, not `{}`", lookalike.name, lookalike.looks_like));
     at_ += size;
     if (lookalike.looks_like == ' ') return next();
     const TokenKind kind = lookalike.looks_like == '-'   ? TokenKind::minus

@@ -151,9 +151,9 @@ bool take_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics& diag
     }
     budget.is_spent = true;
     diagnostics
-        .error(Code::E0516, span,
-               fmt::format("the values of this scene need more than {} bytes",
-                           budget.max_value_bytes))
+        .error(
+            Code::E0516, span,
+            fmt::format("the values of this scene need more than {} bytes", budget.max_value_bytes))
         .with_help("raise the limit with `--max-value-bytes N`");
     return false;
 }
@@ -227,9 +227,10 @@ std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& 
         const auto [left, right] = pairs.back();
         pairs.pop_back();
         if (left.kind != right.kind) return false;
-        const std::uint64_t size = left.is_list() || left.is(ValueKind::string)
-                                       ? std::uint64_t{left.count} * std::max<unsigned>(left.width, 1)
-                                       : 1;
+        const std::uint64_t size =
+            left.is_list() || left.is(ValueKind::string)
+                ? std::uint64_t{left.count} * std::max<unsigned>(left.width, 1)
+                : 1;
         if (left.is_list() && left.count != right.count) return false;
         if (!take_steps(budget, std::max<std::uint64_t>(size, 1), span, diagnostics)) return {};
         if (left.is(ValueKind::list)) {

@@ -361,8 +361,9 @@ bool Parser::step_operator(const Expr& head) {
     const bool is_doubled = is_sign && ahead().kind == token_.kind && continues_line() &&
                             ahead().offset == token_.end();
     if (!is_doubled) return false;
-    error(Code::E0112, lexer_.span(token_.offset, ahead().end()),
-          fmt::format("write `{0} = {0} {1} 1`", context_.sources.text(head.span), text_of(token_)));
+    error(
+        Code::E0112, lexer_.span(token_.offset, ahead().end()),
+        fmt::format("write `{0} = {0} {1} 1`", context_.sources.text(head.span), text_of(token_)));
     return true;
 }
 

@@ -78,8 +78,8 @@ void Parser::too_deep(Span span) {
     lexer_.seek(static_cast<std::uint32_t>(lexer_.end() - lexer_.begin()));
 }
 
-// Skips to where the next item may begin: a `}`, a `;`, a line that starts like an item, or behind a
-// comma. With brackets intact every line begins an item, and every comma ends one.
+// Skips to where the next item may begin: a `}`, a `;`, a line that starts like an item, or behind
+// a comma. With brackets intact every line begins an item, and every comma ends one.
 void Parser::synchronize() {
     is_panicking_ = false;
     if (is_separated_) return;  // the next item is known already
@@ -299,7 +299,8 @@ bool Parser::skip_list_without_opener(const Expr& value) {
     }
     const Span written = span_from(value.span.offset);
     std::string_view text = context_.sources.text(written);
-    while (!text.empty() && (text.back() == ',' || is_a(text.back(), kBlank))) text.remove_suffix(1);
+    while (!text.empty() && (text.back() == ',' || is_a(text.back(), kBlank)))
+        text.remove_suffix(1);
     error(Code::E0109, written, "a list stands in brackets")
         .with_hint(text.size() <= 40 ? fmt::format("write `[{}]`", text) : std::string());
     is_separated_ = is_behind_comma;

@@ -121,7 +121,7 @@ class Parser {
     std::vector<IncludeItem*> includes_;
     std::uint32_t bracket_depth_ = 0;  // of ( and [ inside the innermost {
     std::uint32_t nesting_ = 0;
-    bool is_panicking_ = false;  // an error was reported in this item: skip to the next
+    bool is_panicking_ = false;         // an error was reported in this item: skip to the next
     bool has_broken_brackets_ = false;  // it was one of ( ) [ ]: lines and commas mean nothing
     bool is_separated_ = false;  // recovery has already passed the separator of the next item
     bool is_structure_known_ = true;

@@ -58,9 +58,7 @@ class Fitting {
         return error(Code::E0301, fmt::format("`{}` needs {}, {} is {}", property_.name, wanted,
                                               value_name(), describe(value_)));
     }
-    std::string value_name() const {
-        return name_.empty() ? "this" : fmt::format("`{}`", name_);
-    }
+    std::string value_name() const { return name_.empty() ? "this" : fmt::format("`{}`", name_); }
     Value out_of_range(double number) {
         return error(Code::E0304,
                      fmt::format("`{}` must be {}, this is {}", property_.name,
@@ -109,8 +107,8 @@ Value Fitting::integer() {
 
 Value Fitting::vector(std::uint32_t size, std::string_view wanted) {
     if (value_.is(ValueKind::color)) {
-        return error(Code::E0309, fmt::format("`{}` needs {}, {} is a colour", property_.name, wanted,
-                                              value_name()));
+        return error(Code::E0309, fmt::format("`{}` needs {}, {} is a colour", property_.name,
+                                              wanted, value_name()));
     }
     if (value_.is(ValueKind::numbers) && value_.count != size) {
         return error(Code::E0303, fmt::format("`{}` needs {} numbers, this has {}", property_.name,

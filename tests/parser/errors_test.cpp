@@ -7,8 +7,8 @@
 //
 // `:10` is the column in the line above; a place in another file is `name:line:column`, and no
 // place is `-`. Where no comment can stand, a file NAME.expected holds the same lines, without
-// `//` and with `line:column`. A first line `// limits: nesting=4` sets limits. What the scenes name
-// is in tests/errors/files.
+// `//` and with `line:column`. A first line `// limits: nesting=4` sets limits. What the scenes
+// name is in tests/errors/files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

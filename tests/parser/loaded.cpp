@@ -35,7 +35,8 @@ Loaded load_file(const std::string& path, const parser::LoadLimits& limits) {
 Loaded load_text(std::string_view text, const parser::LoadLimits& limits,
                  const std::vector<Companion>& companions) {
     const TempDirectory directory;
-    for (const Companion& companion : companions) directory.write(companion.name, companion.content);
+    for (const Companion& companion : companions)
+        directory.write(companion.name, companion.content);
     return load_file(directory.write("main.lrs", text), limits);
 }
 
@@ -48,8 +49,8 @@ std::string place_of(const Sources& sources, Span span) {
 
 std::vector<std::string> example_paths() {
     std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(LRAY_SOURCE_DIR
-                                                                           "/examples")) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(LRAY_SOURCE_DIR "/examples")) {
         if (entry.path().extension() == ".lrs") paths.push_back(entry.path().string());
     }
     std::sort(paths.begin(), paths.end());

@@ -183,6 +183,7 @@ constexpr std::array kInsteadOptions{
                set<&Options::mode, Mode::check>},
     OptionSpec{"explain", "CODE", "what a code like E0401 means, with an example", store_explained},
     OptionSpec{"help", "", "this text", set<&Options::mode, Mode::help>},
+    OptionSpec{"h", "", "", set<&Options::mode, Mode::help>},
     OptionSpec{"version", "", "the version of the program", set<&Options::mode, Mode::version>},
 };
 

@@ -238,10 +238,11 @@ std::string help_text() {
         for (std::size_t i = 0; i < group.options.size(); ++i) {
             const OptionSpec& spec = group.options[i];
             if (*spec.help == '\0') continue;
-            std::string names = fmt::format("{} {}", spelled(spec.name), spec.value);
+            const std::string value = *spec.value == '\0' ? "" : fmt::format(" {}", spec.value);
+            std::string names = spelled(spec.name) + value;
             for (std::size_t k = i + 1; k < group.options.size() && *group.options[k].help == '\0';
                  ++k) {
-                names += fmt::format(", {} {}", spelled(group.options[k].name), spec.value);
+                names += fmt::format(", {}{}", spelled(group.options[k].name), value);
             }
             text += fmt::format("  {:<24} {}\n", names, spec.help);
         }

@@ -44,17 +44,16 @@ bool is_same_file(const std::string& a, const std::string& b) {
            status_a.st_ino == status_b.st_ino;
 }
 
-Failure output_failure(std::string_view path, std::string_view reason) {
-    return {ExitCode::output, fmt::format("cannot write `{}`: {}", path, reason), {}};
+Failure output_failure(std::string reason) {
+    return {ExitCode::output, std::move(reason), {}};
 }
 
 /// Empty when the picture is in its file.
-std::optional<Failure> write_picture(OutputFile output, const std::string& path,
-                                     const image::Image& image, image::Format format,
-                                     image::Metadata metadata) {
+std::optional<Failure> write_picture(OutputFile output, const image::Image& image,
+                                     image::Format format, image::Metadata metadata) {
     std::string error;
-    if (!write_image(output, image, format, metadata, error)) return output_failure(path, error);
-    if (!output.commit()) return output_failure(path, output.error());
+    if (!write_image(output, image, format, metadata, error)) return output_failure(error);
+    if (!output.commit()) return output_failure(output.error());
     return std::nullopt;
 }
 
@@ -68,8 +67,8 @@ ExitCode save_partial_picture(const image::Image& image, image::Metadata metadat
     std::string error;
     auto output = OutputFile::open(path, error);
     std::optional<Failure> failure =
-        output ? write_picture(std::move(*output), path, image, *options.format, metadata)
-               : output_failure(path, error);
+        output ? write_picture(std::move(*output), image, *options.format, metadata)
+               : output_failure(error);
     if (failure) {
         report_failure(*failure);
         return exit_code;
@@ -139,7 +138,7 @@ std::variant<OutputFile, Failure> open_output(const Options& options) {
     }
     std::string error;
     auto output = OutputFile::open(options.output_path, error);
-    if (!output) return output_failure(options.output_path, error);
+    if (!output) return output_failure(error);
     return std::move(*output);
 }
 
@@ -164,8 +163,7 @@ ExitCode save_picture(OutputFile output, const render::RenderResult& result,
         LRAY_ASSERT(exit_code);
         return save_partial_picture(result.image, metadata, options, *exit_code);
     }
-    const auto failure = write_picture(std::move(output), options.output_path, result.image,
-                                       *options.format, metadata);
+    const auto failure = write_picture(std::move(output), result.image, *options.format, metadata);
     return failure ? report_failure(*failure) : ExitCode::done;
 }
 

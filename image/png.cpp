@@ -192,8 +192,10 @@ bool write_png(OutputFile& out, const Image& image, Metadata metadata, std::stri
         is_written = writer.write_row(row.data());
     }
     if (is_written && writer.end()) return true;
-    error = !out.error().empty() ? out.error() : writer.failure.message.data();
-    if (error.empty()) error = "out of memory";
+    const std::string_view reason = writer.failure.message.data();
+    error = !out.error().empty()
+                ? out.error()
+                : "cannot make a PNG: " + std::string(reason.empty() ? "out of memory" : reason);
     return false;
 }
 

@@ -48,7 +48,11 @@ struct PerInnerNode {
 /// Primitives that one placement of a shape or mesh makes.
 std::uint64_t primitives_of(const Scene& scene, const Node& node) {
     if (node.kind != NodeKind::mesh) return 1;
-    return triangles_of(scene, scene.mesh_uses[node.index]).count;
+    std::uint64_t count = 0;
+    for (const TriangleRange range : triangles_of(scene, scene.mesh_uses[node.index])) {
+        count += range.count;
+    }
+    return count;
 }
 
 /// Returns the groups and instances under the root, each after all that is below it, and marks
@@ -94,11 +98,15 @@ std::vector<NodeId> order_below_first(const Scene& scene, Occupied& occupied) {
 
 }  // namespace
 
-TriangleRange triangles_of(const Scene& scene, const MeshUse& use) {
+std::vector<TriangleRange> triangles_of(const Scene& scene, const MeshUse& use) {
     const Mesh& mesh = scene.meshes[use.mesh_id.index()];
-    if (use.part == MeshUse::kAllParts) return {0, mesh.triangles.size()};
-    const MeshPart& part = mesh.parts[use.part];
-    return {part.first_triangle, part.triangle_count};
+    if (use.part == MeshUse::kAllParts) return {{0, mesh.triangles.size()}};
+    std::vector<TriangleRange> ranges;
+    for (const MeshPart& part : mesh.parts) {
+        const bool is_wanted = part.name == mesh.parts[use.part].name;
+        if (is_wanted) ranges.push_back({part.first_triangle, part.triangle_count});
+    }
+    return ranges;
 }
 
 FlattenPlan plan_flatten(const Scene& scene) {

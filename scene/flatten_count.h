@@ -41,11 +41,14 @@ struct FlattenPlan {
 /// Errors: asserts that the graph has no cycles.
 FlattenPlan plan_flatten(const Scene& scene);
 
-/// The triangles a mesh node stands for: [first, first + count) of its mesh.
+/// Triangles [first, first + count) of a mesh.
 struct TriangleRange {
     std::size_t first = 0;
     std::size_t count = 0;
 };
-TriangleRange triangles_of(const Scene& scene, const MeshUse& use);
+
+/// Returns the triangles that a use of a mesh shows: all, or those of every part that has the name
+/// of the part used, as a name may return after another one in a file.
+std::vector<TriangleRange> triangles_of(const Scene& scene, const MeshUse& use);
 
 }  // namespace lray::scene

@@ -78,10 +78,15 @@ DVec3 turn_up(Vec3 v, bool z_is_up) {
 }  // namespace
 
 void Placer::place_mesh(const Node& node, const Placement& placement) {
+    for (const TriangleRange range : triangles_of(scene_, scene_.mesh_uses[node.index])) {
+        place_triangles(node, range, placement);
+    }
+}
+
+void Placer::place_triangles(const Node& node, TriangleRange range, const Placement& placement) {
     const MeshUse& use = scene_.mesh_uses[node.index];
     const Mesh& mesh = scene_.meshes[use.mesh_id.index()];
     const Transform& transform = placement.world_from_object;
-    const TriangleRange range = triangles_of(scene_, use);
     const auto triangles = slice(mesh.triangles, range);
     const auto normal_triples = slice(mesh.normal_indices, range);
     const auto uv_triples = slice(mesh.uv_indices, range);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "scene/flatten_count.h"
 #include "scene/scene.h"
 #include "scene/world.h"
 
@@ -55,6 +56,7 @@ class Placer {
     void place_box(const Node& node, const Placement& placement);
     void place_plane(const Node& node, const Placement& placement);
     void place_mesh(const Node& node, const Placement& placement);
+    void place_triangles(const Node& node, TriangleRange range, const Placement& placement);
 
     /// Returns the frame of the canonical shape that `linear` and `offset` bring into the world;
     /// empty when that was refused.

@@ -59,7 +59,6 @@ struct MeshUse {
 
     MeshId mesh_id{};
     std::uint32_t part = kAllParts;
-    double smooth = 0.0;  // degrees; 0 is facetted
     bool z_is_up = false;
 };
 

@@ -358,7 +358,7 @@ TEST(DiagnosticPrinter, ColoursOnlyIfAskedForAndThenTheSameText) {
 Diagnostics many(SourceId id, std::size_t error_count, std::size_t warning_count) {
     Diagnostics diagnostics;
     for (std::size_t i = 0; i < warning_count; ++i) {
-        diagnostics.warning(Code::W1405, Span::make(id, i, i), "w");
+        diagnostics.warning(Code::W1404, Span::make(id, i, i), "w");
     }
     for (std::size_t i = 0; i < error_count; ++i) {
         diagnostics.error(Code::E0201, Span::make(id, i, i), "e");
@@ -389,7 +389,7 @@ TEST(DiagnosticPrinter, WarningsDoNotCrowdOutErrors) {
     const SourceId id = sources.add("a.lrs", Text(std::string(100, ' ')));
     const std::string text = format_diagnostics(many(id, 5, 50), sources, {false, 3});
     EXPECT_EQ(count(text, "error[E0201]"), 3u);
-    EXPECT_EQ(count(text, "warning[W1405]"), 3u);
+    EXPECT_EQ(count(text, "warning[W1404]"), 3u);
     EXPECT_TRUE(text.ends_with("... and 49 more (`--max-errors 0` shows all)\n"));
 }
 

@@ -1,4 +1,6 @@
 #include "base/file_access.h"
+#include "tests/support/current_directory.h"
+#include "tests/support/temp_directory.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -10,11 +12,10 @@
 #include <atomic>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
-
-#include "temporary_directory.h"
 
 namespace lray {
 namespace {
@@ -40,8 +41,8 @@ class FileAccessTest : public testing::TestWithParam<BeneathMethod> {
         return files_.read(path, from, kMaxSize);
     }
 
-    TemporaryDirectory directory_;
-    CurrentDirectory current_{directory_.string()};
+    test::TempDirectory directory_;
+    test::CurrentDirectory current_{directory_.path()};
     FileAccess files_{GetParam()};
 };
 
@@ -65,7 +66,7 @@ TEST_P(FileAccessTest, PathsAreRelativeToTheFileTheyAreWrittenIn) {
 }
 
 TEST_P(FileAccessTest, MainInTheCurrentDirectoryShowsBareNames) {
-    const CurrentDirectory scenes(directory_ / "scenes");
+    const test::CurrentDirectory scenes(directory_.path("scenes"));
     FileAccess files(GetParam());
     const ReadResult main = files.read_main("main.lrs", kMaxSize);
     EXPECT_EQ(main.path, "main.lrs");
@@ -75,10 +76,10 @@ TEST_P(FileAccessTest, MainInTheCurrentDirectoryShowsBareNames) {
 
 TEST_P(FileAccessTest, DirectoryOfTheMainFileMayLeadThroughALink) {
     // link/.. is elsewhere, not the current directory.
-    fs::create_directory(directory_ / "elsewhere");
+    fs::create_directory(directory_.path("elsewhere"));
     directory_.write("elsewhere/scenes/other.lrs", "other");
-    fs::create_directory(directory_ / "elsewhere/deep");
-    fs::create_directory_symlink("elsewhere/deep", directory_ / "link");
+    fs::create_directory(directory_.path("elsewhere/deep"));
+    fs::create_directory_symlink("elsewhere/deep", directory_.path("link"));
     directory_.write("elsewhere/scenes/main.lrs", "main elsewhere");
     FileAccess files(GetParam());
     const ReadResult main = files.read_main("link/../scenes/main.lrs", kMaxSize);
@@ -111,13 +112,13 @@ TEST_P(FileAccessTest, PrefixOfANameIsNotItsDirectory) {
 }
 
 TEST_P(FileAccessTest, LinkInsideIsFollowedLinkToOutsideIsNot) {
-    fs::create_symlink("parts/wheel.lrs", directory_ / "scenes/inner.lrs");
-    fs::create_symlink("../secret/key.lrs", directory_ / "scenes/file.lrs");
-    fs::create_directory_symlink("../secret", directory_ / "scenes/dir");
-    fs::create_symlink("/proc/self/environ", directory_ / "scenes/proc.lrs");
+    fs::create_symlink("parts/wheel.lrs", directory_.path("scenes/inner.lrs"));
+    fs::create_symlink("../secret/key.lrs", directory_.path("scenes/file.lrs"));
+    fs::create_directory_symlink("../secret", directory_.path("scenes/dir"));
+    fs::create_symlink("/proc/self/environ", directory_.path("scenes/proc.lrs"));
     EXPECT_EQ(read("inner.lrs").text.view(), "wheel");
     EXPECT_EQ(read("file.lrs").status, ReadStatus::outside);
-    EXPECT_EQ(read("file.lrs").allow, directory_ / "secret");
+    EXPECT_EQ(read("file.lrs").allow, directory_.path("secret"));
     EXPECT_EQ(read("dir/key.lrs").status, ReadStatus::outside);
     EXPECT_EQ(read("dir/kee.lrs").status, ReadStatus::outside);
     EXPECT_EQ(read("dir/kee.lrs").nearest, "");
@@ -126,15 +127,16 @@ TEST_P(FileAccessTest, LinkInsideIsFollowedLinkToOutsideIsNot) {
 }
 
 TEST_P(FileAccessTest, LinkIntoAnotherAllowedDirectoryIsFollowed) {
-    fs::create_symlink("../secret/key.lrs", directory_ / "scenes/file.lrs");
-    fs::create_symlink(directory_ / "scenes/parts/wheel.lrs", directory_ / "scenes/absolute.lrs");
+    fs::create_symlink("../secret/key.lrs", directory_.path("scenes/file.lrs"));
+    fs::create_symlink(directory_.path("scenes/parts/wheel.lrs"),
+                       directory_.path("scenes/absolute.lrs"));
     EXPECT_EQ(read("absolute.lrs").text.view(), "wheel");
     files_.allow("secret", false);
     EXPECT_EQ(read("file.lrs").text.view(), "secret");
 }
 
 TEST_P(FileAccessTest, AbsolutePathBelowAnAllowedDirectoryIsToldApart) {
-    const ReadResult result = read(directory_ / "scenes/materials.lrs");
+    const ReadResult result = read(directory_.path("scenes/materials.lrs"));
     EXPECT_EQ(result.status, ReadStatus::ok);
     EXPECT_TRUE(result.is_absolute);
 }
@@ -195,9 +197,9 @@ TEST_P(FileAccessTest, BackslashIsReadAsASlash) {
 TEST_P(FileAccessTest, OnlyRegularFilesAreRead) {
     EXPECT_EQ(read("parts").status, ReadStatus::not_regular);
     EXPECT_EQ(read(".").status, ReadStatus::not_regular);
-    ASSERT_EQ(mkfifo((directory_ / "scenes/fifo").c_str(), 0600), 0);
+    ASSERT_EQ(mkfifo((directory_.path("scenes/fifo")).c_str(), 0600), 0);
     EXPECT_EQ(read("fifo").status, ReadStatus::not_regular);  // and does not wait for a writer
-    const CurrentDirectory scenes(directory_ / "scenes");
+    const test::CurrentDirectory scenes(directory_.path("scenes"));
     const Descriptor socket(::socket(AF_UNIX, SOCK_STREAM, 0));
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
@@ -216,7 +218,7 @@ TEST_P(FileAccessTest, SizeIsBoundedBeforeAnythingIsReserved) {
     EXPECT_EQ(read("large.lrs").text.size(), 0u);
     // A hole of 8 TiB takes no space on the disk; it must take none in memory.
     directory_.write("scenes/hole.lrs", "");
-    ASSERT_EQ(truncate((directory_ / "scenes/hole.lrs").c_str(), off_t{1} << 43), 0);
+    ASSERT_EQ(truncate((directory_.path("scenes/hole.lrs")).c_str(), off_t{1} << 43), 0);
     EXPECT_EQ(read("hole.lrs").status, ReadStatus::too_large);
     EXPECT_EQ(files_.read("hole.lrs", "scenes", ~std::uint64_t{0}).status, ReadStatus::too_large);
 }
@@ -229,13 +231,13 @@ TEST_P(FileAccessTest, NameTooLongIsUnreadableInWords) {
 
 TEST_P(FileAccessTest, FileWithoutPermissionIsUnreadable) {
     if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
-    ASSERT_EQ(chmod((directory_ / "scenes/materials.lrs").c_str(), 0), 0);
+    ASSERT_EQ(chmod((directory_.path("scenes/materials.lrs")).c_str(), 0), 0);
     EXPECT_EQ(read("materials.lrs").status, ReadStatus::unreadable);
     EXPECT_EQ(read("materials.lrs").reason, "permission denied");
 }
 
 TEST_P(FileAccessTest, FileThatChangesWhileReadGivesSomeOfItsStates) {
-    const std::string path = directory_ / "scenes/changing.lrs";
+    const std::string path = directory_.path("scenes/changing.lrs");
     constexpr std::size_t kSize = 1 << 20;
     directory_.write("scenes/changing.lrs", std::string(kSize, 'x'));
     std::atomic<bool> is_done{false};
@@ -266,7 +268,7 @@ TEST_P(FileAccessTest, FilesReadAreListedOnceInOrder) {
 }
 
 TEST_P(FileAccessTest, MainFileMayBeAnywhere) {
-    const std::string path = directory_ / "scenes/../secret/key.lrs";
+    const std::string path = directory_.path("scenes/../secret/key.lrs");
     const ReadResult result = FileAccess(GetParam()).read_main(path, kMaxSize);
     EXPECT_EQ(result.status, ReadStatus::ok);
     EXPECT_EQ(result.path, path);  // as the user gave it
@@ -286,7 +288,7 @@ TEST_P(FileAccessTest, MainFileMissingOrUnfitIsToldSo) {
 }
 
 TEST_P(FileAccessTest, MainFileMayBeAFifo) {
-    const std::string path = directory_ / "fifo";
+    const std::string path = directory_.path("fifo");
     ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
     const std::string content(700, 'x');
     std::thread writer([&] { std::ofstream(path) << content; });

@@ -1,4 +1,5 @@
 #include "base/open_beneath.h"
+#include "tests/support/temp_directory.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -9,8 +10,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <string>
-
-#include "temporary_directory.h"
 
 namespace lray {
 namespace {
@@ -27,7 +26,7 @@ class OpenBeneath : public testing::TestWithParam<BeneathMethod> {
         directory_.write("root/a.txt", "inside");
         directory_.write("root/sub/b.txt", "below");
         directory_.write("secret.txt", "secret");
-        root_ = Descriptor(::open((directory_ / "root").c_str(), O_PATH | O_DIRECTORY));
+        root_ = Descriptor(::open((directory_.path("root")).c_str(), O_PATH | O_DIRECTORY));
         ASSERT_TRUE(root_.is_open());
     }
 
@@ -43,12 +42,12 @@ class OpenBeneath : public testing::TestWithParam<BeneathMethod> {
     }
 
     void link(const std::string& target, std::string_view name) const {
-        fs::create_symlink(target, directory_ / name);
+        fs::create_symlink(target, directory_.path(name));
     }
 
     static std::string error(int number) { return "errno " + std::to_string(number); }
 
-    TemporaryDirectory directory_;
+    test::TempDirectory directory_;
     Descriptor root_;
 };
 
@@ -84,8 +83,8 @@ TEST_P(OpenBeneath, LinksThatLeaveLeadOutside) {
     link("../secret.txt", "root/file");
     link("..", "root/dir");
     link("../../secret.txt", "root/sub/far");
-    link((directory_ / "secret.txt"), "root/absolute");
-    link((directory_ / "root/a.txt"), "root/absolute_inside");
+    link((directory_.path("secret.txt")), "root/absolute");
+    link((directory_.path("root/a.txt")), "root/absolute_inside");
     link("../nothing", "root/dangling");
     link("/proc/self/fd/0", "root/magic");
     EXPECT_EQ(read("file"), error(EXDEV));
@@ -114,7 +113,7 @@ TEST_P(OpenBeneath, MissingFilesAreMissing) {
 }
 
 TEST_P(OpenBeneath, FifoDoesNotBlock) {
-    ASSERT_EQ(mkfifo((directory_ / "root/fifo").c_str(), 0600), 0);
+    ASSERT_EQ(mkfifo((directory_.path("root/fifo")).c_str(), 0600), 0);
     EXPECT_EQ(read("fifo"), "");
 }
 

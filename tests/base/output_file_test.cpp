@@ -17,7 +17,8 @@
 #include <vector>
 
 #include "base/descriptor.h"
-#include "temporary_directory.h"
+#include "tests/support/current_directory.h"
+#include "tests/support/temp_directory.h"
 
 namespace lray {
 namespace {
@@ -56,8 +57,8 @@ pid_t dead_process() {
 }
 
 TEST(OutputFile, CommitPutsTheFileInPlace) {
-    const TemporaryDirectory directory;
-    OutputFile file = open(directory / "a.ppm");
+    const test::TempDirectory directory;
+    OutputFile file = open(directory.path("a.ppm"));
     EXPECT_EQ(directory.names().size(), 1u);
     EXPECT_TRUE(directory.names()[0].starts_with(".a.ppm.lray-tmp." + std::to_string(getpid())));
     EXPECT_TRUE(file.write("P6 "));
@@ -68,10 +69,10 @@ TEST(OutputFile, CommitPutsTheFileInPlace) {
 }
 
 TEST(OutputFile, OldFileSurvivesWithoutCommit) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     directory.write("a.ppm", "old");
     {
-        OutputFile file = open(directory / "a.ppm");
+        OutputFile file = open(directory.path("a.ppm"));
         EXPECT_TRUE(file.write(std::string(1'000'000, 'x')));
         EXPECT_EQ(directory.read("a.ppm"), "old");
     }
@@ -80,10 +81,10 @@ TEST(OutputFile, OldFileSurvivesWithoutCommit) {
 }
 
 TEST(OutputFile, SmallAndLargeWritesKeepTheirOrder) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     std::string expected;
     {
-        OutputFile file = open(directory / "a");
+        OutputFile file = open(directory.path("a"));
         for (std::size_t i = 0; i < 300; ++i) {
             const std::string part(i % 7 == 0 ? 70'000 : i, static_cast<char>('a' + i % 26));
             EXPECT_TRUE(file.write(part));
@@ -95,59 +96,59 @@ TEST(OutputFile, SmallAndLargeWritesKeepTheirOrder) {
 }
 
 TEST(OutputFile, MovedFileCommitsOnce) {
-    const TemporaryDirectory directory;
-    OutputFile first = open(directory / "a");
+    const test::TempDirectory directory;
+    OutputFile first = open(directory.path("a"));
     OutputFile second = std::move(first);
     EXPECT_TRUE(second.write("x"));
-    OutputFile third = open(directory / "b");
+    OutputFile third = open(directory.path("b"));
     third = std::move(second);  // what it held is given up
     EXPECT_TRUE(third.commit());
     EXPECT_EQ(directory.names(), Names{"a"});
 }
 
 TEST(OutputFile, PermissionsAreAsTheUmaskGivesOrTheOldFiles) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     const mode_t old_mask = umask(027);
-    EXPECT_TRUE(open(directory / "new").commit());
-    EXPECT_EQ(mode_of(directory / "new"), 0640u);
+    EXPECT_TRUE(open(directory.path("new")).commit());
+    EXPECT_EQ(mode_of(directory.path("new")), 0640u);
     directory.write("old", "");
-    ASSERT_EQ(chmod((directory / "old").c_str(), 0606), 0);
-    EXPECT_TRUE(open(directory / "old").commit());
-    EXPECT_EQ(mode_of(directory / "old"), 0606u);
+    ASSERT_EQ(chmod((directory.path("old")).c_str(), 0606), 0);
+    EXPECT_TRUE(open(directory.path("old")).commit());
+    EXPECT_EQ(mode_of(directory.path("old")), 0606u);
     umask(old_mask);
 }
 
 TEST(OutputFile, LinkStaysAndItsTargetIsWritten) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     directory.write("real/a.ppm", "old");
-    fs::create_symlink("real/a.ppm", directory / "link.ppm");
-    fs::create_symlink("link.ppm", directory / "twice.ppm");
-    OutputFile file = open(directory / "twice.ppm");
+    fs::create_symlink("real/a.ppm", directory.path("link.ppm"));
+    fs::create_symlink("link.ppm", directory.path("twice.ppm"));
+    OutputFile file = open(directory.path("twice.ppm"));
     EXPECT_TRUE(file.write("new"));
     EXPECT_TRUE(file.commit());
-    EXPECT_TRUE(fs::is_symlink(directory / "link.ppm"));
-    EXPECT_TRUE(fs::is_symlink(directory / "twice.ppm"));
+    EXPECT_TRUE(fs::is_symlink(directory.path("link.ppm")));
+    EXPECT_TRUE(fs::is_symlink(directory.path("twice.ppm")));
     EXPECT_EQ(directory.read("real/a.ppm"), "new");
 
-    fs::create_symlink("real/b.ppm", directory / "dangling.ppm");
-    EXPECT_TRUE(open(directory / "dangling.ppm").commit());
-    EXPECT_TRUE(fs::is_symlink(directory / "dangling.ppm"));
-    EXPECT_TRUE(fs::is_regular_file(directory / "real/b.ppm"));
+    fs::create_symlink("real/b.ppm", directory.path("dangling.ppm"));
+    EXPECT_TRUE(open(directory.path("dangling.ppm")).commit());
+    EXPECT_TRUE(fs::is_symlink(directory.path("dangling.ppm")));
+    EXPECT_TRUE(fs::is_regular_file(directory.path("real/b.ppm")));
 }
 
 TEST(OutputFile, CurrentDirectoryMayChangeBeforeCommit) {
-    const TemporaryDirectory directory;
-    const CurrentDirectory outer(directory.string());
+    const test::TempDirectory directory;
+    const test::CurrentDirectory outer(directory.path());
     OutputFile file = open("a.ppm");
     fs::create_directory("sub");
-    const CurrentDirectory inner("sub");
+    const test::CurrentDirectory inner("sub");
     EXPECT_TRUE(file.commit());
     EXPECT_EQ(directory.names(), (Names{"a.ppm", "sub"}));
 }
 
 TEST(OutputFile, UnfitTargetIsRefusedAtOnceInWords) {
-    const TemporaryDirectory directory;
-    const CurrentDirectory current(directory.string());
+    const test::TempDirectory directory;
+    const test::CurrentDirectory current(directory.path());
     fs::create_directory("sub");
     directory.write("file", "");
     EXPECT_EQ(refusal("none/a.ppm"), "cannot write `none/a.ppm`: there is no directory `none`");
@@ -161,22 +162,22 @@ TEST(OutputFile, UnfitTargetIsRefusedAtOnceInWords) {
 }
 
 TEST(OutputFile, LongestNameIsWritten) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     const std::string name(255, 'x');
-    EXPECT_TRUE(open(directory / name).commit());
+    EXPECT_TRUE(open(directory.path(name)).commit());
     EXPECT_EQ(directory.names(), Names{name});
 }
 
 TEST(OutputFile, PlaceWithoutPermissionIsRefused) {
     if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     directory.write("closed/a.ppm", "old");
     directory.write("b.ppm", "old");
-    ASSERT_EQ(chmod((directory / "b.ppm").c_str(), 0400), 0);
-    EXPECT_NE(refusal(directory / "b.ppm").find("permission denied"), std::string::npos);
-    ASSERT_EQ(chmod((directory / "closed").c_str(), 0500), 0);
-    EXPECT_NE(refusal(directory / "closed/a.ppm").find("permission denied"), std::string::npos);
-    ASSERT_EQ(chmod((directory / "closed").c_str(), 0700), 0);
+    ASSERT_EQ(chmod((directory.path("b.ppm")).c_str(), 0400), 0);
+    EXPECT_NE(refusal(directory.path("b.ppm")).find("permission denied"), std::string::npos);
+    ASSERT_EQ(chmod((directory.path("closed")).c_str(), 0500), 0);
+    EXPECT_NE(refusal(directory.path("closed/a.ppm")).find("permission denied"), std::string::npos);
+    ASSERT_EQ(chmod((directory.path("closed")).c_str(), 0700), 0);
 }
 
 TEST(OutputFile, DirectoryThatTakesNoFilesIsRefused) {
@@ -200,7 +201,7 @@ TEST(OutputFile, FullDiskIsToldInWords) {
 }
 
 TEST(OutputFile, FileSizeLimitKeepsTheOldFile) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     directory.write("a.ppm", "old");
     // In a child, as the limit cannot be given back.
     const pid_t child = fork();
@@ -209,7 +210,7 @@ TEST(OutputFile, FileSizeLimitKeepsTheOldFile) {
         const rlimit limit{100'000, 100'000};
         setrlimit(RLIMIT_FSIZE, &limit);
         std::string error;
-        auto file = OutputFile::open(directory / "a.ppm", error);
+        auto file = OutputFile::open(directory.path("a.ppm"), error);
         const bool is_refused = file && !file->write(std::string(200'000, 'x')) &&
                                 file->error().ends_with(": file too large") && !file->commit();
         _exit(is_refused && directory.names() == Names{"a.ppm"} ? 0 : 1);
@@ -221,8 +222,8 @@ TEST(OutputFile, FileSizeLimitKeepsTheOldFile) {
 }
 
 TEST(OutputFile, FifoIsWrittenDirectly) {
-    const TemporaryDirectory directory;
-    const std::string path = directory / "fifo";
+    const test::TempDirectory directory;
+    const std::string path = directory.path("fifo");
     ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
     std::string received;
     std::thread reader([&] { received = directory.read("fifo"); });
@@ -237,8 +238,8 @@ TEST(OutputFile, FifoIsWrittenDirectly) {
 }
 
 TEST(OutputFile, ReaderThatHasGoneAwayIsToldInWords) {
-    const TemporaryDirectory directory;
-    const std::string path = directory / "fifo";
+    const test::TempDirectory directory;
+    const std::string path = directory.path("fifo");
     ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
     const auto old_handler = signal(SIGPIPE, SIG_IGN);
     Descriptor reader(::open(path.c_str(), O_RDONLY | O_NONBLOCK));
@@ -263,10 +264,10 @@ class RedirectedStdout {
 };
 
 TEST(OutputFile, StandardOutputIsWrittenAsItIs) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     directory.write("out", "before ");
     {
-        const RedirectedStdout redirected(directory / "out");
+        const RedirectedStdout redirected(directory.path("out"));
         for (const char* path : {"-", "/dev/stdout", "/dev/fd/1"}) {
             OutputFile file = open(path);
             EXPECT_TRUE(file.write("x"));
@@ -280,7 +281,7 @@ TEST(OutputFile, StandardOutputIsWrittenAsItIs) {
 }
 
 TEST(OutputFile, TemporariesOfDeadProcessesAreSwept) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     const std::string dead = std::to_string(dead_process());
     const std::string alive = std::to_string(getppid());
     directory.write(".a.ppm.lray-tmp." + dead + ".0", "stale");
@@ -290,9 +291,9 @@ TEST(OutputFile, TemporariesOfDeadProcessesAreSwept) {
                         ".a.ppm.lray-tmp." + dead + ".x", ".lray-tmp.notes",
                         "a.ppm.lray-tmp." + dead + ".0"};
     for (const std::string& name : kept) directory.write(name, "kept");
-    fs::create_directory(directory / (".d.lray-tmp." + dead + ".0"));
-    fs::create_symlink("a", directory / (".l.lray-tmp." + dead + ".0"));
-    EXPECT_TRUE(open(directory / "a.ppm").commit());
+    fs::create_directory(directory.path(".d.lray-tmp." + dead + ".0"));
+    fs::create_symlink("a", directory.path(".l.lray-tmp." + dead + ".0"));
+    EXPECT_TRUE(open(directory.path("a.ppm")).commit());
     Names expected = kept;
     expected.push_back("a.ppm");
     expected.push_back(".d.lray-tmp." + dead + ".0");
@@ -302,18 +303,18 @@ TEST(OutputFile, TemporariesOfDeadProcessesAreSwept) {
 }
 
 TEST(OutputFile, LockedTemporaryIsInUseElsewhere) {
-    const TemporaryDirectory directory;
+    const test::TempDirectory directory;
     const std::string name = ".a.ppm.lray-tmp." + std::to_string(dead_process()) + ".0";
     const Descriptor other(::open(directory.write(name, "in use").c_str(), O_RDONLY));
     ASSERT_EQ(flock(other.fd(), LOCK_EX), 0);
-    EXPECT_TRUE(open(directory / "a.ppm").commit());
+    EXPECT_TRUE(open(directory.path("a.ppm")).commit());
     EXPECT_EQ(directory.names(), (Names{name, "a.ppm"}));
 }
 
 TEST(OutputFile, TwoWritersOfOneTargetDoNotMeet) {
-    const TemporaryDirectory directory;
-    OutputFile first = open(directory / "a");
-    OutputFile second = open(directory / "a");
+    const test::TempDirectory directory;
+    OutputFile first = open(directory.path("a"));
+    OutputFile second = open(directory.path("a"));
     EXPECT_TRUE(first.write("first"));
     EXPECT_TRUE(second.write("second"));
     EXPECT_TRUE(first.commit());

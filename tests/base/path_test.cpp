@@ -1,8 +1,8 @@
 #include "base/path.h"
+#include "tests/support/current_directory.h"
+#include "tests/support/temp_directory.h"
 
 #include <gtest/gtest.h>
-
-#include "temporary_directory.h"
 
 namespace lray {
 namespace {
@@ -36,11 +36,11 @@ TEST(Path, DirectoryKeepsItsOwnWayUp) {
 }
 
 TEST(Path, AbsolutePathStartsAtTheCurrentDirectory) {
-    const TemporaryDirectory directory;
-    const CurrentDirectory current(directory.string());
-    EXPECT_EQ(absolute_path("a.lrs"), directory / "a.lrs");
-    EXPECT_EQ(absolute_path("x/../a.lrs"), directory / "a.lrs");
-    EXPECT_EQ(absolute_path("."), directory.string());
+    const test::TempDirectory directory;
+    const test::CurrentDirectory current(directory.path());
+    EXPECT_EQ(absolute_path("a.lrs"), directory.path("a.lrs"));
+    EXPECT_EQ(absolute_path("x/../a.lrs"), directory.path("a.lrs"));
+    EXPECT_EQ(absolute_path("."), directory.path());
     EXPECT_EQ(absolute_path("/x/../a"), "/a");
     EXPECT_EQ(absolute_path("/"), "/");
 }

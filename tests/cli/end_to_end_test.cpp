@@ -3,9 +3,11 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <thread>
 
+#include "base/diagnostic_codes.h"
 #include "image/compare.h"
 #include "image/read.h"
 #include "tests/support/process.h"
@@ -94,6 +96,151 @@ TEST_F(EndToEnd, ThreadsAndCropsDoNotChangeAPixel) {
             ASSERT_EQ(crop.at(x, y), whole.at(x + 20, y + 10));
         }
     }
+}
+
+/// A scene of all kinds: quadrics, meshes, instances.
+const std::string kStillLife = std::string(LRAY_SOURCE_DIR) + "/examples/still_life.lrs";
+
+TEST_F(EndToEnd, ThreadsDoNotChangeAByteOfARichScene) {
+    const auto one = run({kStillLife, "-o", "-", "--size", "200x150", "--threads", "1"});
+    const auto eight = run({kStillLife, "-o", "-", "--size", "200x150", "--threads", "8"});
+    ASSERT_EQ(one.exit_code, 0) << one.err;
+    EXPECT_TRUE(one.out.starts_with("P6\n200 150\n255\n"));
+    EXPECT_TRUE(one.out == eight.out) << "the pictures differ";
+}
+
+TEST_F(EndToEnd, CropsTileThePictureToTheByte) {
+    ASSERT_EQ(run({kStillLife, "-o", "whole.ppm", "--size", "97x61"}).exit_code, 0);
+    const image::Image whole = picture("whole.ppm");
+    // Four parts about a pixel that is on no tile's border, an edge of one pixel among them.
+    const std::vector<std::array<std::uint32_t, 4>> parts{
+        {0, 0, 33, 60}, {33, 0, 97, 60}, {0, 60, 33, 61}, {33, 60, 97, 61}};
+    std::uint64_t pixel_count = 0;
+    for (const auto& [x0, y0, x1, y1] : parts) {
+        const std::string crop = std::to_string(x0) + "," + std::to_string(y0) + "," +
+                                 std::to_string(x1) + "," + std::to_string(y1);
+        ASSERT_EQ(run({kStillLife, "-o", "part.ppm", "--size", "97x61", "--crop", crop}).exit_code,
+                  0);
+        const image::Image part = picture("part.ppm");
+        ASSERT_EQ(part.width, x1 - x0);
+        ASSERT_EQ(part.height, y1 - y0);
+        for (std::uint32_t y = y0; y < y1; ++y) {
+            for (std::uint32_t x = x0; x < x1; ++x) {
+                ASSERT_EQ(part.at(x - x0, y - y0), whole.at(x, y)) << crop << " " << x << "," << y;
+                ++pixel_count;
+            }
+        }
+    }
+    EXPECT_EQ(pixel_count, 97u * 61u);
+}
+
+constexpr const char* kTwoCameras =
+    "render { resolution: [8, 6], background: blue }\n"
+    "camera { position: [0, 0, 5] }\n"
+    "camera \"top\" { position: [0, 5, 0], look_at: [0, 0, 0], up: [0, 0, -1], "
+    "resolution: [4, 4], background: lime }\n"
+    "camera \"nowhere\" { position: [9, 9, 9], look_at: [99, 99, 99] }\n"
+    "rectangle { size: [9, 9], material { diffuse: red } }\n";  // seen from its edge by the first
+
+TEST_F(EndToEnd, CameraIsTheFirstOrTheOneNamed) {
+    directory_.write("scene.lrs", kTwoCameras);
+    const Color red{1, 0, 0};
+    const Color lime{0, 1, 0};
+    const Color blue{0, 0, 1};
+    ASSERT_EQ(run({"scene.lrs", "-o", "a.ppm"}).exit_code, 0);
+    EXPECT_EQ(picture("a.ppm").width, 8u);
+    EXPECT_EQ(picture("a.ppm").at(0, 0), blue) << "the first camera";
+    ASSERT_EQ(run({"scene.lrs", "-o", "b.ppm", "--camera", "top"}).exit_code, 0);
+    ASSERT_EQ(picture("b.ppm").width, 4u) << "its own resolution";
+    EXPECT_EQ(picture("b.ppm").at(2, 2), red);
+    ASSERT_EQ(run({"scene.lrs", "-o", "c.ppm", "--camera", "nowhere"}).exit_code, 0);
+    EXPECT_EQ(picture("c.ppm").at(4, 3), blue);
+    ASSERT_EQ(run({"scene.lrs", "-o", "d.ppm", "--camera", "top", "--size", "20x5"}).exit_code, 0);
+    ASSERT_EQ(picture("d.ppm").width, 20u) << "the command line counts first";
+    EXPECT_EQ(picture("d.ppm").at(0, 2), lime) << "beside the rectangle";
+    const auto wrong = run({"scene.lrs", "-o", "e.ppm", "--camera", "tpo"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_TRUE(contains(wrong.err, "no camera named `tpo`")) << wrong.err;
+    EXPECT_TRUE(contains(wrong.err, "did you mean `top`?")) << wrong.err;
+}
+
+TEST_F(EndToEnd, MistakeInAMeshIsToldAtItsLineAndWhereItIsLoaded) {
+    directory_.write("scene.lrs", std::string(kScene) + "mesh { file: \"models/bunny.obj\" }\n");
+    std::string obj = "# a bunny\n";
+    for (int i = 0; i < 810; ++i) obj += "v 0 0 " + std::to_string(i) + "\n";
+    directory_.write("models/bunny.obj", obj + "f 1 2 9999\n");
+    const auto result = run({"scene.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(contains(result.err, "models/bunny.obj:812:7: error[E0702]: vertex 9999 of 810\n"))
+        << result.err;
+    EXPECT_TRUE(contains(result.err, "scene.lrs:4:14")) << result.err;
+    EXPECT_TRUE(contains(result.err, "1 error; nothing rendered")) << result.err;
+    directory_.write("models/bunny.obj", obj + "f 1 2 zebra\n");
+    const auto syntax = run({"scene.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(syntax.exit_code, 1);
+    EXPECT_TRUE(contains(syntax.err, "models/bunny.obj:812:7: error[E0701]")) << syntax.err;
+}
+
+TEST_F(EndToEnd, SceneOfAnotherDirectoryFindsItsFilesBesideIt) {
+    directory_.write("far/scene.lrs", std::string(kScene) + "include \"parts/ball.lrs\"\n");
+    directory_.write("far/parts/ball.lrs", "mesh { file: \"ball.obj\" }\n");
+    directory_.write("far/parts/ball.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto result = run({"far/scene.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    // Read from stdin, it has only the directory it is run in.
+    const auto streamed =
+        run({"-i", "-", "-o", "b.ppm"}, std::string(kScene) + "include \"far/parts/ball.lrs\"\n");
+    EXPECT_EQ(streamed.exit_code, 0) << streamed.err;
+    EXPECT_EQ(directory_.read("a.ppm"), directory_.read("b.ppm"));
+    const auto lost =
+        run({"-i", "-", "-o", "c.ppm"}, std::string(kScene) + "include \"ball.lrs\"\n");
+    EXPECT_EQ(lost.exit_code, 1);
+    EXPECT_TRUE(contains(lost.err, "<stdin>:4:9: error[E0601]")) << lost.err;
+    const auto found = run({"-I", "far/parts", "-i", "-", "-o", "c.ppm"},
+                           std::string(kScene) + "include \"ball.lrs\"\n");
+    EXPECT_EQ(found.exit_code, 0) << found.err;
+    EXPECT_EQ(directory_.read("a.ppm"), directory_.read("c.ppm"));
+}
+
+TEST_F(EndToEnd, FilesOfOthersAreOutOfReachUnlessAllowed) {
+    directory_.write("secret.lrs", "sphere { center: [1, 0, 0] }\n");
+    directory_.write("scenes/scene.lrs", std::string(kScene) + "include \"../secret.lrs\"\n");
+    const auto refused = run({"scenes/scene.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_TRUE(contains(refused.err, "scenes/scene.lrs:4:9: error[E0605]")) << refused.err;
+    EXPECT_TRUE(contains(refused.err, "--allow")) << refused.err;
+    EXPECT_FALSE(contains(refused.err, "center")) << "what is in it must not be told";
+    const auto allowed = run({"scenes/scene.lrs", "-o", "a.ppm", "--allow", "."});
+    EXPECT_EQ(allowed.exit_code, 0) << allowed.err;
+}
+
+TEST_F(EndToEnd, MisspeltOptionsAreSuggested) {
+    directory_.write("scene.lrs", kScene);
+    const std::vector<std::pair<std::string, std::string>> misspelt{
+        {"--sise", "--size"},       {"--thread", "--threads"},       {"--cammera", "--camera"},
+        {"-quit", "--quiet"},       {"--max-error", "--max-errors"}, {"--chekc", "--check"},
+        {"--explian", "--explain"},
+    };
+    for (const auto& [wrong, right] : misspelt) {
+        const auto result = run({"scene.lrs", "-o", "a.ppm", wrong, "1"});
+        EXPECT_EQ(result.exit_code, 2) << wrong;
+        EXPECT_TRUE(contains(result.err, "unknown option `" + wrong + "`")) << result.err;
+        EXPECT_TRUE(contains(result.err, "did you mean `" + right + "`")) << result.err;
+    }
+    EXPECT_EQ(directory_.names(), std::vector<std::string>{"scene.lrs"});
+}
+
+TEST_F(EndToEnd, EveryCodeIsExplained) {
+    for (const CodeInfo& info : code_infos()) {
+        const auto result = run({"--explain", std::string(info.id)});
+        EXPECT_EQ(result.exit_code, 0) << info.id;
+        EXPECT_TRUE(result.out.starts_with(std::string(info.id) + ": " + std::string(info.title)))
+            << result.out;
+        EXPECT_EQ(result.err, "");
+    }
+    const auto unknown = run({"--explain", "E4001"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_TRUE(contains(unknown.err, "there is no code `E4001`")) << unknown.err;
 }
 
 TEST_F(EndToEnd, InfoOfTheSceneIsInThePng) {
@@ -220,7 +367,7 @@ TEST_F(EndToEnd, OutputThatCannotBeWrittenExits4) {
     directory_.write("scene.lrs", kScene);
     const auto nowhere = run({"scene.lrs", "-o", "no/such/place.ppm"});
     EXPECT_EQ(nowhere.exit_code, 4);
-    EXPECT_TRUE(contains(nowhere.err, "cannot write `no/such/place.ppm`")) << nowhere.err;
+    EXPECT_TRUE(contains(nowhere.err, "lray: cannot write `no/such/place.ppm`: there is no directory")) << nowhere.err;
     const auto full = run({"scene.lrs", "-o", "/dev/full", "--format", "ppm"});
     EXPECT_EQ(full.exit_code, 4);
     EXPECT_TRUE(contains(full.err, "/dev/full")) << full.err;

@@ -146,7 +146,6 @@ TEST(Options, AbbreviationsAreRefusedWithTheWholeName) {
     EXPECT_EQ(failed({"-thr=4"}).message, "unknown option `-thr`");
     EXPECT_EQ(failed({"--max"}).help,
               "did you mean `--max-errors`, `--max-nesting` or `--max-include-depth`?");
-    EXPECT_EQ(failed({"-h"}).help, "did you mean `--help`?");
     EXPECT_EQ(failed({"--p", "4"}).help, "did you mean `-ps`?");
 }
 

@@ -47,14 +47,24 @@ std::string place_of(const Sources& sources, Span span) {
     return fmt::format("{}:{}:{}", sources[span.source].path, at.line, at.column);
 }
 
-std::vector<std::string> example_paths() {
-    std::vector<std::string> paths;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(LRAY_SOURCE_DIR "/examples")) {
-        if (entry.path().extension() == ".lrs") paths.push_back(entry.path().string());
+Examples::Examples() {
+    namespace fs = std::filesystem;
+    const fs::path examples = LRAY_SOURCE_DIR "/examples";
+    fs::copy(examples, directory_.path(), fs::copy_options::recursive);
+    for (const auto& entry : fs::recursive_directory_iterator(examples)) {
+        if (entry.path().extension() != ".lrs") continue;
+        names_.push_back(entry.path().lexically_relative(examples).string());
     }
-    std::sort(paths.begin(), paths.end());
-    return paths;
+    std::sort(names_.begin(), names_.end());
+}
+
+Loaded Examples::load_changed(const std::string& name, std::string_view changed,
+                              const parser::LoadLimits& limits) const {
+    const std::string before = text(name);
+    directory_.write(name, changed);
+    Loaded loaded = load_file(directory_.path(name), limits);
+    directory_.write(name, before);
+    return loaded;
 }
 
 }  // namespace lray::test

@@ -47,7 +47,22 @@ Loaded load_text(std::string_view text, const parser::LoadLimits& limits = {},
 /// "1:10"; "files/part.lrs:1:10" outside of the main file; "-" for nowhere.
 std::string place_of(const Sources& sources, Span span);
 
-/// The scenes of examples/, sorted.
-std::vector<std::string> example_paths();
+/// A copy of examples/, where scenes can be changed and loaded with what they name.
+class Examples {
+ public:
+    Examples();
+
+    /// The scenes, as paths below the directory, sorted.
+    const std::vector<std::string>& names() const { return names_; }
+    std::string text(const std::string& name) const { return directory_.read(name); }
+
+    /// Loads a scene of this name with another text, and puts the old one back.
+    Loaded load_changed(const std::string& name, std::string_view text,
+                        const parser::LoadLimits& limits = {}) const;
+
+ private:
+    TempDirectory directory_;
+    std::vector<std::string> names_;
+};
 
 }  // namespace lray::test

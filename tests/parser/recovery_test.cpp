@@ -13,11 +13,6 @@
 namespace lray::test {
 namespace {
 
-struct Scene {
-    std::string name{};
-    std::string text{};
-};
-
 /// A scene with what the examples may lack: meshes, calls, choices, groups in groups.
 constexpr std::string_view kWorkshop = R"(lrs 1.0
 render {
@@ -64,13 +59,11 @@ rectangle {
 }
 )";
 
-std::vector<Scene> good_scenes() {
-    std::vector<Scene> scenes = {{"workshop", std::string(kWorkshop)}};
-    for (const std::string& path : example_paths()) {
-        scenes.push_back({path, read_bytes(path)});
-    }
-    return scenes;
-}
+/// Deletes each bracket of a good scene; what it costs is added up.
+struct Cost {
+    std::size_t deletions = 0;
+    std::size_t errors = 0;
+};
 
 /// Offsets of the brackets that are code: not in comments or strings.
 std::vector<std::size_t> brackets_of(std::string_view text) {
@@ -87,34 +80,47 @@ std::vector<std::size_t> brackets_of(std::string_view text) {
     return offsets;
 }
 
+template <class Load>
+void delete_each_bracket(const std::string& name, const std::string& text, Load load, Cost& cost) {
+    for (const std::size_t offset : brackets_of(text)) {
+        std::string broken = text;
+        broken.erase(offset, 1);
+        const Loaded loaded = load(broken);
+        const std::size_t count = loaded.diagnostics.error_count();
+        ++cost.deletions;
+        cost.errors += count;
+        const auto line = std::count(text.begin(), text.begin() + static_cast<long>(offset), '\n');
+        EXPECT_TRUE(count >= 1 && count <= 3)
+            << name << ":" << line + 1 << " without `" << text[offset] << "`:\n"
+            << loaded.text();
+    }
+}
+
 TEST(Recovery, GoodScenesHaveNoErrors) {
-    for (const Scene& scene : good_scenes()) {
-        EXPECT_EQ(load_text(scene.text).text(), "") << scene.name;
+    EXPECT_EQ(load_text(kWorkshop).text(), "");
+    const Examples examples;
+    for (const std::string& name : examples.names()) {
+        const Loaded loaded = examples.load_changed(name, examples.text(name));
+        EXPECT_FALSE(loaded.has_errors()) << name << "\n" << loaded.text();
     }
 }
 
 TEST(Recovery, ADeletedBracketIsReportedAboutOnce) {
-    std::size_t deletions = 0;
-    std::size_t errors = 0;
-    for (const Scene& scene : good_scenes()) {
-        for (const std::size_t offset : brackets_of(scene.text)) {
-            std::string broken = scene.text;
-            broken.erase(offset, 1);
-            const Loaded loaded = load_text(broken);
-            const std::size_t count = loaded.diagnostics.error_count();
-            ++deletions;
-            errors += count;
-            const auto line = std::count(scene.text.begin(),
-                                         scene.text.begin() + static_cast<long>(offset), '\n');
-            EXPECT_TRUE(count >= 1 && count <= 3)
-                << scene.name << ":" << line + 1 << " without `" << scene.text[offset] << "`:\n"
-                << loaded.text();
-        }
+    Cost cost;
+    delete_each_bracket(
+        "workshop", std::string(kWorkshop), [](const std::string& text) { return load_text(text); },
+        cost);
+    const Examples examples;
+    for (const std::string& name : examples.names()) {
+        const auto load = [&](const std::string& text) {
+            return examples.load_changed(name, text);
+        };
+        delete_each_bracket(name, examples.text(name), load, cost);
     }
-    ASSERT_GT(deletions, 100u);
-    const double average = static_cast<double>(errors) / static_cast<double>(deletions);
+    ASSERT_GT(cost.deletions, 100u);
+    const double average = static_cast<double>(cost.errors) / static_cast<double>(cost.deletions);
     RecordProperty("average", fmt::format("{:.3f}", average));
-    EXPECT_LE(average, 1.2) << errors << " errors of " << deletions << " deletions";
+    EXPECT_LE(average, 1.2) << cost.errors << " errors of " << cost.deletions << " deletions";
 }
 
 }  // namespace

@@ -236,6 +236,20 @@ TEST_F(FlattenMesh, SharesVerticesAndMakesOneObject) {
     EXPECT_EQ(world.triangle_uvs[1][0], Mesh::kNone);
 }
 
+TEST_F(FlattenMesh, PartWhoseNameReturnsTakesAllOfThem) {
+    mesh.triangles.push_back({1, 2, 3});
+    mesh.normal_indices.clear();
+    mesh.uv_indices.clear();
+    mesh.parts = {{"a", 0, 1}, {"b", 1, 1}, {"a", 2, 1}};
+    MeshUse use;
+    use.part = 0;
+    const World world = flatten_mesh(use);
+    ASSERT_EQ(world.triangles.size(), 2u);
+    EXPECT_EQ(world.objects.size(), 1u);
+    EXPECT_EQ(world.vertices[world.triangles[1].vertices[0]], (Vec3{1, 0, 0}));
+    EXPECT_EQ(world.vertices[world.triangles[1].vertices[2]], (Vec3{0, 1, 0}));
+}
+
 TEST_F(FlattenMesh, PartTakesItsTrianglesOnly) {
     MeshUse use;
     use.part = 1;

@@ -12,7 +12,8 @@ namespace lray::test {
 TempDirectory::TempDirectory() {
     std::string pattern = (std::filesystem::temp_directory_path() / "lray-test-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    path_ = pattern;
+    // Without links, so that a path in it reads the same however it was found.
+    path_ = std::filesystem::canonical(pattern).string();
 }
 
 TempDirectory::~TempDirectory() {

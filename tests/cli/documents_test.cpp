@@ -1,0 +1,155 @@
+// README.md and docs/diagnostics.md are true: their scenes, their messages, their options.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "cli/options.h"
+#include "tests/support/process.h"
+#include "tests/support/temp_directory.h"
+
+namespace lray {
+namespace {
+
+const std::string kTop = LRAY_SOURCE_DIR;
+
+struct Fence {
+    std::string info{};  // "lrs room.lrs"
+    std::string text{};
+};
+
+std::vector<Fence> fences_of(const std::string& document) {
+    std::vector<Fence> fences;
+    std::istringstream lines(document);
+    std::string line;
+    bool is_inside = false;
+    while (std::getline(lines, line)) {
+        if (line.starts_with("```")) {
+            is_inside = !is_inside;
+            if (is_inside) fences.push_back({line.substr(3), {}});
+        } else if (is_inside) {
+            fences.back().text += line + "\n";
+        }
+    }
+    return fences;
+}
+
+/// All `-x` and `--word` of a text.
+std::set<std::string> option_names(const std::string& text) {
+    std::set<std::string> names;
+    const std::regex name("(^|[\\s`|(,])(--?[A-Za-z][a-z-]*)");
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), name);
+         at != std::sregex_iterator(); ++at) {
+        names.insert((*at)[2]);
+    }
+    return names;
+}
+
+TEST(Readme, ListsTheOptionsOfHelpAndNoOthers) {
+    const std::string readme = test::read_bytes(kTop + "/README.md");
+    const std::size_t begin = readme.find("## Options");
+    const std::size_t end = readme.find("\n## ", begin + 1);
+    ASSERT_NE(begin, readme.npos);
+    std::set<std::string> listed;
+    std::istringstream lines(readme.substr(begin, end - begin));
+    std::string line;
+    while (std::getline(lines, line)) {
+        if (!line.starts_with("| `-")) continue;
+        const std::regex bar("[^\\\\]\\|");  // the end of the first column
+        std::smatch match;
+        ASSERT_TRUE(std::regex_search(line.cbegin() + 1, line.cend(), match, bar));
+        listed.merge(option_names(line.substr(0, static_cast<std::size_t>(match.position()) + 2)));
+    }
+    std::string help;
+    std::istringstream help_lines(cli::help_text());
+    while (std::getline(help_lines, line)) {
+        if (line.starts_with("  -")) help += line.substr(0, 26) + "\n";  // the names' column
+    }
+    EXPECT_THAT(listed, testing::ContainerEq(option_names(help)));
+    EXPECT_GT(listed.size(), 20u);
+}
+
+TEST(Readme, FirstSceneRendersAndItsMisspellingIsToldAsShown) {
+    std::string scene;
+    std::string message;
+    for (const Fence& fence : fences_of(test::read_bytes(kTop + "/README.md"))) {
+        if (fence.text.starts_with("// first.lrs\n")) scene = fence.text;
+        if (fence.text.starts_with("first.lrs:")) message = fence.text;
+    }
+    ASSERT_NE(scene, "");
+    ASSERT_NE(message, "");
+    const test::TempDirectory directory;
+    directory.write("first.lrs", scene);
+    const std::vector<std::string> command = {LRAY_BINARY, "-n", "1",        "-i",
+                                              "first.lrs", "-o", "first.png"};
+    const auto right = test::run_process(command, {}, directory.path());
+    EXPECT_EQ(right.exit_code, 0);
+    EXPECT_EQ(right.err, "");
+
+    // The message shows the line as it was written wrongly, and which one it is.
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(message, match, std::regex("\n(\\d+) \\| (.*)\n")));
+    std::istringstream lines(scene);
+    std::string wrong;
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        wrong += (number == std::stoi(match[1]) ? match[2].str() : line) + "\n";
+    }
+    directory.write("first.lrs", wrong);
+    const auto told = test::run_process(command, {}, directory.path());
+    EXPECT_EQ(told.exit_code, 1);
+    EXPECT_EQ(told.err, message);
+}
+
+TEST(DiagnosticsDocument, MessagesAreAsShown) {
+    const std::vector<Fence> fences = fences_of(test::read_bytes(kTop + "/docs/diagnostics.md"));
+    const test::TempDirectory directory;
+    std::map<std::string, std::string> shown;
+    std::set<std::string> scenes;
+    for (const Fence& fence : fences) {
+        const std::size_t space = fence.info.find(' ');
+        ASSERT_NE(space, fence.info.npos) << "which file is this?\n" << fence.text;
+        const std::string name = fence.info.substr(space + 1);
+        if (fence.info.starts_with("text ")) {
+            shown[name] = fence.text;
+        } else {
+            directory.write(name, fence.text);
+            scenes.insert(name);
+        }
+    }
+    EXPECT_GE(shown.size(), 3u);
+    for (const std::string& scene : scenes) {
+        const auto result =
+            test::run_process({LRAY_BINARY, "--check", scene}, {}, directory.path());
+        EXPECT_EQ(result.err, shown[scene]) << scene;
+    }
+}
+
+/// Files that a document links to, without those of the web.
+std::vector<std::string> links_of(const std::string& document) {
+    std::vector<std::string> links;
+    const std::regex link("\\]\\(([^)#]+)[^)]*\\)");
+    for (auto at = std::sregex_iterator(document.begin(), document.end(), link);
+         at != std::sregex_iterator(); ++at) {
+        const std::string target = (*at)[1];
+        if (!target.starts_with("http")) links.push_back(target);
+    }
+    return links;
+}
+
+TEST(Documents, LinkToFilesThatAreThere) {
+    for (const std::string document : {"README.md", "grammar.md", "docs/diagnostics.md"}) {
+        const std::filesystem::path path = std::filesystem::path(kTop) / document;
+        for (const std::string& link : links_of(test::read_bytes(path.string()))) {
+            EXPECT_TRUE(std::filesystem::exists(path.parent_path() / link))
+                << document << " links to " << link;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lray

@@ -1,0 +1,193 @@
+// Pictures of the program against those in tests/golden, byte by byte. LRAY_BLESS=NAME (or all)
+// makes them anew: `./dev bless NAME`.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "base/output_file.h"
+#include "image/compare.h"
+#include "image/read.h"
+#include "image/write.h"
+#include "tests/support/process.h"
+#include "tests/support/temp_directory.h"
+
+namespace lray {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Golden {
+    std::string name{};
+    std::string scene{};  // from the top of the project
+    std::vector<std::string> options{};
+};
+
+std::ostream& operator<<(std::ostream& out, const Golden& golden) {
+    return out << golden.name;
+}
+
+/// Every scene of examples/ and tests/golden, and some twice.
+std::vector<Golden> goldens() {
+    return {
+        {"primitives", "examples/primitives.lrs", {"--size", "160x120"}},
+        {"still_life", "examples/still_life.lrs", {"--size", "160x120"}},
+        {"still_life_above", "examples/still_life.lrs", {"--size", "160x120", "--camera", "above"}},
+        {"still_life_apples",
+         "examples/still_life.lrs",
+         {"--size", "120x120", "--camera", "apples"}},
+        // The same pixels as in still_life.
+        {"still_life_crop",
+         "examples/still_life.lrs",
+         {"--size", "160x120", "--crop", "10,30,90,100"}},
+        {"boxes", "tests/golden/boxes.lrs", {"--size", "160x120"}},
+        {"cones", "tests/golden/cones.lrs", {"--size", "160x120"}},
+        {"disks", "tests/golden/disks.lrs", {"--size", "160x120"}},
+        {"fitted_camera", "tests/golden/fitted_camera.lrs", {"--size", "160x120"}},
+        {"instances", "tests/golden/instances.lrs", {"--size", "160x120"}},
+        {"meshes", "tests/golden/meshes.lrs", {"--size", "160x120"}},
+        {"orthographic", "tests/golden/orthographic.lrs", {"--size", "160x120"}},
+        {"planes", "tests/golden/planes.lrs", {"--size", "160x120"}},
+        {"quadrics", "tests/golden/quadrics.lrs", {"--size", "160x120"}},
+        {"transforms", "tests/golden/transforms.lrs", {"--size", "160x120"}},
+    };
+}
+
+const fs::path kTop = LRAY_SOURCE_DIR;
+
+fs::path golden_path(const std::string& name) {
+    return kTop / "tests" / "golden" / (name + ".ppm");
+}
+
+std::optional<image::Image> decode(const std::string& bytes) {
+    std::string error;
+    return image::read_image(std::as_bytes(std::span(bytes)), {}, error);
+}
+
+/// White where the pictures agree, darker the more they differ: black from 8 levels on.
+image::Image difference_of(const image::Image& a, const image::Image& b) {
+    image::Image difference(a.width, a.height);
+    for (std::uint32_t y = 0; y < a.height; ++y) {
+        for (std::uint32_t x = 0; x < a.width; ++x) {
+            image::Image pixel_a(1, 1);
+            image::Image pixel_b(1, 1);
+            pixel_a.at(0, 0) = a.at(x, y);
+            pixel_b.at(0, 0) = b.at(x, y);
+            const float levels = image::compare(pixel_a, pixel_b, 0.0f)->max;
+            difference.at(x, y) = Color{levels == 0.0f ? 1.0f : std::max(0.5f - levels / 16, 0.0f)};
+        }
+    }
+    return difference;
+}
+
+void write_png(const fs::path& path, const image::Image& image) {
+    std::string error;
+    auto file = OutputFile::open(path.string(), error);
+    ASSERT_TRUE(file) << error;
+    ASSERT_TRUE(image::write_image(*file, image, image::Format::png, {}, error)) << error;
+    ASSERT_TRUE(file->commit());
+}
+
+/// Puts the picture and its difference beside the program, to be looked at; returns where.
+std::string keep_for_inspection(const Golden& golden, const std::string& actual,
+                                const std::string& expected) {
+    const fs::path directory = fs::path(LRAY_BINARY).parent_path() / "golden";
+    fs::create_directories(directory);
+    const fs::path actual_path = directory / (golden.name + ".actual.png");
+    const auto actual_image = decode(actual);
+    if (!actual_image) return "the program wrote no picture";
+    write_png(actual_path, *actual_image);
+    std::string told = fmt::format("it is {}", actual_path.string());
+    const auto expected_image = decode(expected);
+    const bool are_comparable = expected_image && expected_image->width == actual_image->width &&
+                                expected_image->height == actual_image->height;
+    if (!are_comparable) return told + "; the golden has another size";
+    const fs::path difference_path = directory / (golden.name + ".difference.png");
+    write_png(difference_path, difference_of(*actual_image, *expected_image));
+    const auto difference = image::compare(*actual_image, *expected_image, 0.0f);
+    return told + fmt::format("; the difference is {}: {:.2f} % of the pixels, up to {:.0f} levels",
+                              difference_path.string(), 100.0 * difference->share_beyond,
+                              static_cast<double>(difference->max));
+}
+
+bool is_to_be_blessed(const std::string& name) {
+    const char* const bless = std::getenv("LRAY_BLESS");
+    return bless != nullptr && (name == bless || std::string_view(bless) == "all");
+}
+
+class GoldenPicture : public testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenPicture, IsTheSameToTheByte) {
+    const Golden& golden = GetParam();
+    std::vector<std::string> command{
+        LRAY_BINARY, "-n", "1", "-i", (kTop / golden.scene).string(), "-o", "-", "--format", "ppm"};
+    command.insert(command.end(), golden.options.begin(), golden.options.end());
+    const test::ProcessResult result = test::run_process(command);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const fs::path path = golden_path(golden.name);
+    if (is_to_be_blessed(golden.name)) {
+        std::ofstream(path, std::ios::binary) << result.out;
+        return;
+    }
+    ASSERT_TRUE(fs::exists(path)) << "to make it, run: ./dev bless " << golden.name;
+    const std::string expected = test::read_bytes(path.string());
+    if (result.out == expected) return;  // EXPECT_EQ would print the bytes
+    ADD_FAILURE() << golden.name
+                  << " is another picture: " << keep_for_inspection(golden, result.out, expected)
+                  << ".\nIf it is right, look at it and run: ./dev bless " << golden.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, GoldenPicture, testing::ValuesIn(goldens()),
+                         [](const auto& instance) { return instance.param.name; });
+
+/// Names of the files in a directory with that extension, without it, sorted.
+std::vector<std::string> stems(const fs::path& directory, std::string_view extension) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(directory)) {
+        if (entry.path().extension() == extension) names.push_back(entry.path().stem().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+TEST(GoldenPictures, AreDescribedAndNoneIsForgotten) {
+    std::vector<std::string> names;
+    std::vector<std::string> scenes;
+    const std::string description =
+        test::read_bytes((kTop / "tests" / "golden" / "README.md").string());
+    for (const Golden& golden : goldens()) {
+        names.push_back(golden.name);
+        scenes.push_back(golden.scene);
+        EXPECT_NE(description.find(fmt::format("| `{}` |", golden.name)), std::string::npos)
+            << "tests/golden/README.md does not tell what " << golden.name << " shows";
+    }
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(stems(kTop / "tests" / "golden", ".ppm"), names);
+    for (const std::string folder : {"examples", "tests/golden"}) {
+        for (const std::string& stem : stems(kTop / folder, ".lrs")) {
+            const std::string scene = folder + "/" + stem + ".lrs";
+            const bool is_library = scene == "examples/materials.lrs";
+            EXPECT_TRUE(is_library || std::ranges::count(scenes, scene) > 0) << scene;
+        }
+    }
+}
+
+TEST(GoldenPictures, CropIsAPartOfTheWhole) {
+    const auto whole = decode(test::read_bytes(golden_path("still_life").string()));
+    const auto crop = decode(test::read_bytes(golden_path("still_life_crop").string()));
+    ASSERT_TRUE(whole && crop);
+    ASSERT_EQ(crop->width, 80u);
+    ASSERT_EQ(crop->height, 70u);
+    for (std::uint32_t y = 0; y < crop->height; ++y) {
+        for (std::uint32_t x = 0; x < crop->width; ++x) {
+            ASSERT_EQ(crop->at(x, y), whole->at(x + 10, y + 30)) << x << ", " << y;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lray

@@ -1,0 +1,300 @@
+#include "tests/parser/grammar_tables.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <regex>
+#include <sstream>
+
+#include "base/assert.h"
+#include "parser/builtins.h"
+#include "parser/prelude.h"
+#include "parser/schema.h"
+#include "parser/token.h"
+#include "parser/value.h"
+
+namespace lray::parser {
+
+namespace {
+
+std::string in_words(const PropertySchema& property) {
+    switch (property.type) {
+        case PropertyType::number:
+            return "number";
+        case PropertyType::integer:
+            return "whole number";
+        case PropertyType::boolean:
+            return "`true` or `false`";
+        case PropertyType::string:
+            return "string";
+        case PropertyType::option: {
+            std::string options;
+            for (const std::string_view option : property.options) {
+                options += fmt::format("{}`\"{}\"`", options.empty() ? "" : " ", option);
+            }
+            return options;
+        }
+        case PropertyType::point:
+            return "point";
+        case PropertyType::direction:
+            return "direction";
+        case PropertyType::vec2:
+        case PropertyType::size2:
+            return "2 numbers";
+        case PropertyType::size3:
+            return "3 numbers";
+        case PropertyType::color:
+            return "colour";
+        case PropertyType::angle:
+            return "degrees";
+        case PropertyType::scale:
+            return "number or 3 numbers, none 0";
+        case PropertyType::rotation:
+            return "3 angles, or a transform";
+        case PropertyType::matrix:
+            return "3 or 4 rows of 4 numbers";
+        case PropertyType::transform:
+            return "transform, or a list of them";
+        case PropertyType::material:
+            return "material";
+        case PropertyType::roughness:
+            return "number or 2 numbers";
+        case PropertyType::resolution:
+            return "2 whole numbers";
+        case PropertyType::file:
+            return "path";
+        case PropertyType::points:
+            return "rows of 3 numbers";
+        case PropertyType::uvs:
+            return "rows of 2 numbers";
+        case PropertyType::index_triples:
+            return "rows of 3 whole numbers";
+    }
+    LRAY_ASSERT(false);
+}
+
+std::string in_words(const Range& range) {
+    const bool has_max = range.max < std::numeric_limits<double>::infinity();
+    const bool has_min = range.min > -std::numeric_limits<double>::infinity();
+    if (!has_min && !has_max) return "";
+    const std::string least =
+        fmt::format("{} {}", range.min_is_open ? ">" : "≥", format_number(range.min));
+    return has_max ? fmt::format("{}, ≤ {}", least, format_number(range.max)) : least;
+}
+
+std::string default_of(const PropertySchema& property) {
+    if (property.is_required) return "required";
+    return property.default_text.empty() ? "" : fmt::format("`{}`", property.default_text);
+}
+
+std::string names_of(std::span<const PropertySchema> properties, Form form) {
+    std::string names;
+    for (const PropertySchema& property : properties) {
+        if (property.form != form) continue;
+        names += fmt::format("{}`{}`", names.empty() ? "" : ", ", property.name);
+    }
+    return names;
+}
+
+std::string property_table(std::span<const PropertySchema> properties) {
+    std::string text =
+        "| property | value | default | range | meaning |\n"
+        "|---|---|---|---|---|\n";
+    for (const PropertySchema& property : properties) {
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", property.name, in_words(property),
+                            default_of(property), in_words(property.range), property.doc);
+    }
+    const std::string first = names_of(properties, Form::first);
+    const std::string second = names_of(properties, Form::second);
+    if (!first.empty()) {
+        text += fmt::format("\nIt is written in one of two forms: {}; or {}.\n", first, second);
+    }
+    return text;
+}
+
+std::string in_words(ParameterType type) {
+    switch (type) {
+        case ParameterType::number:
+            return "number";
+        case ParameterType::elements:
+            return "number or vector";
+        case ParameterType::vector:
+            return "vector";
+        case ParameterType::vec3:
+            return "3 numbers";
+        case ParameterType::color:
+            return "colour";
+        case ParameterType::transform:
+            return "transform";
+        case ParameterType::rows:
+            return "3 or 4 rows of 4 numbers";
+        case ParameterType::any_scale:
+            return "number or 3 numbers";
+    }
+    LRAY_ASSERT(false);
+}
+
+// "`a`, `b`: vector; `about`: 3 numbers, optional"
+std::string arguments_of(const Builtin& builtin) {
+    std::string text;
+    for (std::size_t i = 0; i < builtin.parameter_count(); ++i) {
+        const Parameter& parameter = builtin.parameters[i];
+        const bool is_last_of_kind = i + 1 == builtin.parameter_count() ||
+                                     builtin.parameters[i + 1].type != parameter.type ||
+                                     builtin.parameters[i + 1].is_optional;
+        text += fmt::format("`{}`", parameter.name);
+        if (!is_last_of_kind) {
+            text += ", ";
+            continue;
+        }
+        text += fmt::format(": {}{}", in_words(parameter.type),
+                            parameter.is_optional ? ", optional" : "");
+        if (i + 1 < builtin.parameter_count()) text += "; ";
+    }
+    return text;
+}
+
+std::string function_table() {
+    std::string text =
+        "| function | arguments | result |\n"
+        "|---|---|---|\n";
+    for (const Builtin& builtin : builtins()) {
+        text +=
+            fmt::format("| `{}` | {} | {} |\n", builtin.name, arguments_of(builtin), builtin.doc);
+    }
+    return text;
+}
+
+/// Names in lines of at most 100 columns.
+class WordList {
+ public:
+    void add(std::string_view name) {
+        const std::string word = fmt::format("`{}`", name);
+        if (line_.size() + 1 + word.size() > 100) end_line();
+        line_ += (line_.empty() ? "" : " ") + word;
+    }
+    std::string text() {
+        end_line();
+        return text_;
+    }
+
+ private:
+    void end_line() {
+        if (!line_.empty()) text_ += line_ + "\n";
+        line_.clear();
+    }
+
+    std::string text_;
+    std::string line_;
+};
+
+std::string keywords(bool of_the_future) {
+    WordList list;
+    for (std::size_t i = 0; i < kKeywords.size(); ++i) {
+        if (is_future_keyword(static_cast<TokenKind>(i)) == of_the_future) list.add(kKeywords[i]);
+    }
+    return list.text();
+}
+
+std::string colors() {
+    WordList list;
+    for (const Constant& constant : prelude_constants()) {
+        if (constant.value.is(ValueKind::color)) list.add(constant.name);
+    }
+    return list.text();
+}
+
+std::string begin_mark(const std::string& name) {
+    return fmt::format("<!-- begin {} -->\n", name);
+}
+
+std::string end_mark(const std::string& name) {
+    return fmt::format("<!-- end {} -->\n", name);
+}
+
+std::string collapse_spaces(const std::string& text) {
+    std::string result = std::regex_replace(text, std::regex("\\s+"), " ");
+    result = std::regex_replace(result, std::regex("^ | $"), "");
+    return result;
+}
+
+}  // namespace
+
+std::vector<GeneratedText> generated_texts() {
+    std::vector<GeneratedText> texts;
+    texts.push_back({"keywords", keywords(false)});
+    texts.push_back({"reserved words", keywords(true)});
+    texts.push_back({"common properties", property_table(common_properties())});
+    for (const BlockSchema& block : block_schemas()) {
+        if (block.properties.empty()) continue;
+        texts.push_back({std::string(block.name), property_table(block.properties)});
+    }
+    texts.push_back({"functions", function_table()});
+    texts.push_back({"colours", colors()});
+    return texts;
+}
+
+std::string text_between_marks(const std::string& document, const std::string& name) {
+    const std::string begin = begin_mark(name);
+    const std::size_t from = document.find(begin);
+    const std::size_t to = document.find(end_mark(name));
+    const bool is_right = from != std::string::npos && to != std::string::npos && from < to &&
+                          document.find(begin, from + 1) == std::string::npos;
+    if (!is_right) return {};
+    return document.substr(from + begin.size(), to - from - begin.size());
+}
+
+std::string with_text_between_marks(const std::string& document, const GeneratedText& generated) {
+    const std::string begin = begin_mark(generated.name);
+    const std::size_t from = document.find(begin) + begin.size();
+    const std::size_t to = document.find(end_mark(generated.name));
+    return document.substr(0, from) + generated.text + document.substr(to);
+}
+
+Productions productions_of(const std::string& ebnf) {
+    const std::string text =
+        std::regex_replace(ebnf, std::regex("\\(\\*[^*]*\\*\\)"), "");  // comments
+    Productions productions;
+    std::istringstream lines(text);
+    std::string line;
+    const std::regex begin("^([a-z_]+) += (.*)$");
+    const std::regex joint(" ;  +");
+    while (std::getline(lines, line)) {
+        std::sregex_token_iterator parts(line.begin(), line.end(), joint, -1);
+        for (; parts != std::sregex_token_iterator(); ++parts) {
+            const std::string part = *parts;
+            std::smatch match;
+            if (std::regex_match(part, match, begin)) {
+                productions.emplace_back(match[1], match[2]);
+            } else if (!productions.empty()) {
+                productions.back().second += " " + part;
+            }
+        }
+    }
+    for (auto& [name, body] : productions) {
+        body = collapse_spaces(body);
+        if (body.ends_with(" ;")) body.resize(body.size() - 2);
+    }
+    return productions;
+}
+
+std::string production_comments(const std::string& source) {
+    std::istringstream lines(source);
+    std::string line;
+    std::string text;
+    bool is_in_production = false;
+    while (std::getline(lines, line)) {
+        if (!line.starts_with("// ")) {
+            is_in_production = false;
+            continue;
+        }
+        const std::string comment = line.substr(3);
+        is_in_production =
+            is_in_production || std::regex_search(comment, std::regex("^[a-z_]+ += ["
+                                                                      "a-z\"({A-Z\\[]"));
+        if (is_in_production) text += comment + "\n";
+    }
+    return text;
+}
+
+}  // namespace lray::parser

@@ -17,7 +17,7 @@ namespace {
 constexpr CodeInfo kInfos[] = {
 {LRAY_CODE(E0001), "unexpected character",
  "This character has no meaning in a scene. It may have slipped in with text copied from elsewhere.",
- "sphere { radius: 1 ? 2 }",
+ "sphere { radius: 1 @ }",
  "sphere { radius: 1 }"},
 {LRAY_CODE(E0002), "not UTF-8",
  "Scenes are UTF-8 text. These bytes are not; the file may be in an older encoding such as Latin-1, "
@@ -207,8 +207,8 @@ constexpr CodeInfo kInfos[] = {
  "let r = 2\nlet x = r * 3"},
 {LRAY_CODE(E0308), "whole number expected",
  "Counts and indices are whole numbers. Nothing is rounded silently: use floor() or round().",
- "render { samples: 2.5 }",
- "render { samples: 3 }"},
+ "render { resolution: [640.5, 480] }",
+ "render { resolution: [640, 480] }"},
 {LRAY_CODE(E0309), "colour where a point is needed",
  "Three numbers can be a colour, but a colour is never a point or a direction.",
  "sphere { center: red }",
@@ -239,8 +239,8 @@ constexpr CodeInfo kInfos[] = {
  "let m = material { model: \"phong\" }"},
 {LRAY_CODE(E0405), "second `render` or `info`",
  "A scene has one `render` block and one `info` block, with all it includes.",
- "render { samples: 4 }\nrender { max_depth: 3 }",
- "render { samples: 4, max_depth: 3 }"},
+ "render { resolution: [640, 480] }\nrender { background: white }",
+ "render { resolution: [640, 480], background: white }"},
 {LRAY_CODE(E0406), "required property missing",
  "Without this property the thing is not defined.",
  "triangle { a: [0, 0, 0], b: [1, 0, 0] }",
@@ -289,7 +289,7 @@ constexpr CodeInfo kInfos[] = {
  "The scene holds more primitives than the limit allows. The limit keeps a small file from filling "
  "the memory; raise it with --max-primitives.",
  "// more than 50 000 000 of these:\nsphere { }",
- "mesh { file: \"cloud.ply\" }  // one mesh, used several times, is stored once"},
+ "mesh { file: \"cloud.obj\" }  // one mesh, used several times, is stored once"},
 {LRAY_CODE(E0515), "includes nested too deeply or too many",
  "Files may include others 64 deep, and 10 000 in all; raise the limits with --max-include-depth "
  "and --max-files.",

@@ -19,7 +19,8 @@ Diagnostic& Diagnostics::report(Severity severity, Code code, Span span, std::st
     has_limit_errors_ = has_limit_errors_ || (severity == Severity::error && is_limit(code));
     // Nowhere is no place: such reports are never merged by it.
     if (!span.is_nowhere()) {
-        const Place place{severity, std::uint64_t{span.source} << 32 | span.offset};
+        const Place place{severity == Severity::warning ? std::optional(code) : std::nullopt,
+                          std::uint64_t{span.source} << 32 | span.offset};
         if (const auto known = by_place_.find(place); known != by_place_.end()) {
             Diagnostic& first = diagnostics_[known->second];
             if (first.code == code && first.message == message) ++first.count;

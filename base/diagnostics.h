@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,7 +55,8 @@ struct Diagnostic {
 };
 
 /// Collects the diagnostics of a run. One error per place: a second error that begins where one
-/// was already reported is dropped, the same one again is counted. At most kMaxKept are kept, so
+/// was already reported is dropped, the same one again is counted; likewise one warning of each
+/// code per place. At most kMaxKept are kept, so
 /// that a hostile file cannot fill the memory with its mistakes; all are counted.
 class Diagnostics {
  public:
@@ -82,8 +84,8 @@ class Diagnostics {
     Diagnostic& report(Severity severity, Code code, Span span, std::string message);
 
     std::vector<Diagnostic> diagnostics_;
-    using Place = std::pair<Severity, std::uint64_t>;
-    std::map<Place, std::size_t> by_place_;  // of those kept
+    using Place = std::pair<std::optional<Code>, std::uint64_t>;  // the code of a warning
+    std::map<Place, std::size_t> by_place_;                       // of those kept
     Diagnostic dropped_;
     std::size_t error_count_ = 0;
     std::size_t warning_count_ = 0;

@@ -23,8 +23,15 @@ Value no_value(Call& call, std::string message) {
 
 Value finite(Call& call, double result) {
     if (std::isfinite(result)) return Value::of(result);
-    return no_value(call, std::isnan(result) ? "this has no real value"
-                                             : "the result is too large for a number");
+    std::string arguments;
+    for (const Value& argument : call.arguments) {
+        if (argument.is(ValueKind::none)) continue;
+        const bool is_number = argument.is(ValueKind::number);
+        arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ",
+                                 is_number ? format_number(argument.number) : "...");
+    }
+    return no_value(call, fmt::format("`{}({})` has no {} value", call.name, arguments,
+                                      std::isnan(result) ? "real" : "finite"));
 }
 
 template <double (*function)(double)>
@@ -56,6 +63,7 @@ Value by_elements(Call& call, Function function) {
         if constexpr (kCount == 3) return function(at(0, k), at(1, k), at(2, k));
     };
     if (size == 0) return finite(call, apply(0));
+    if (!take_numbers(call.budget, size, call.span, call.diagnostics)) return Value::poison();
     double* const results =
         static_cast<double*>(call.arena.allocate(size * sizeof(double), alignof(double)));
     for (std::uint32_t k = 0; k < size; ++k) {
@@ -486,6 +494,7 @@ Value call_builtin(const Builtin& builtin, Call& call, std::span<const Span> arg
                         in_words(parameter.type), describe(argument)));
         return Value::poison();
     }
+    call.name = builtin.name;
     return builtin.function(call);
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "parser/arena.h"
+#include "parser/operators.h"
 #include "parser/value.h"
 
 namespace lray::parser {
@@ -38,7 +39,9 @@ struct Call {
     std::size_t count = 0;  // of a function with any number of arguments
     Span span{};
     Arena& arena;
+    Budget& budget;
     Diagnostics& diagnostics;
+    std::string_view name{};
 
     double number(std::size_t i) const { return arguments[i].number; }
     const Value& operator[](std::size_t i) const { return arguments[i]; }

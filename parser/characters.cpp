@@ -23,6 +23,24 @@ constexpr std::array<Confusable, 40> kConfusables = {{
     {0x0458, 'j', "CYRILLIC JE"},
 }};
 
+constexpr std::array<Lookalike, 15> kLookalikes = {{
+    {0x00A0, ' ', "a no-break space", {}},
+    {0x00AB, '"', "a guillemet", "\xC2\xBB"},
+    {0x00D7, '*', "a multiplication sign", {}},
+    {0x2003, ' ', "an em space", {}},
+    {0x2009, ' ', "a thin space", {}},
+    {0x200B, ' ', "a zero-width space", {}},
+    {0x2013, '-', "an en dash", {}},
+    {0x2014, '-', "an em dash", {}},
+    {0x2018, '"', "a curly quote", "\xE2\x80\x99"},
+    {0x201C, '"', "a curly quote", "\xE2\x80\x9D"},
+    {0x201D, '"', "a curly quote", "\xE2\x80\x9D"},
+    {0x201E, '"', "a curly quote", "\xE2\x80\x9C"},
+    {0x202F, ' ', "a narrow no-break space", {}},
+    {0x2212, '-', "a minus sign", {}},
+    {0xFEFF, ' ', "a byte order mark", {}},
+}};
+
 }  // namespace
 
 CodePoint decode_utf8(std::string_view text) {
@@ -48,6 +66,13 @@ CodePoint decode_utf8(std::string_view text) {
 const Confusable* find_confusable(char32_t code_point) {
     for (const Confusable& confusable : kConfusables) {
         if (confusable.code_point == code_point) return &confusable;
+    }
+    return nullptr;
+}
+
+const Lookalike* find_lookalike(char32_t code_point) {
+    for (const Lookalike& lookalike : kLookalikes) {
+        if (lookalike.code_point == code_point) return &lookalike;
     }
     return nullptr;
 }

@@ -50,4 +50,15 @@ struct Confusable {
 /// Returns the entry of a code point; null if it resembles no ASCII letter.
 const Confusable* find_confusable(char32_t code_point);
 
+/// Punctuation that looks like ASCII and comes along with text copied from elsewhere.
+struct Lookalike {
+    char32_t code_point = 0;
+    char looks_like = 0;
+    std::string_view name{};
+    std::string_view closing{};  // of a quote: its partner
+};
+
+/// Returns the entry of a code point; null if it resembles no ASCII punctuation.
+const Lookalike* find_lookalike(char32_t code_point);
+
 }  // namespace lray::parser

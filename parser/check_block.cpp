@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "parser/lexer.h"
 #include "parser/schemas.h"
 
 namespace lray::parser {
@@ -27,8 +28,8 @@ class BlockCheck {
     bool check() {
         items(block_.body.items);
         if (!schema_.takes_any_string) {
-            forms();
-            if (use_ == BlockUse::make) required();
+            // Of two forms mixed, what else is missing depends on which one is meant.
+            if (!forms() && use_ == BlockUse::make) required();
             if (schema_.kind == BlockKind::material) unused_by_model();
         }
         return is_right_;
@@ -48,7 +49,7 @@ class BlockCheck {
     void child(const BlockItem& item);
     void set_once(Span& first, Span now, std::string_view name);
     void no_children(Span span);
-    void forms();
+    bool forms();
     void required();
     void unused_by_model();
     std::string_view model() const;
@@ -104,7 +105,9 @@ void BlockCheck::property(const PropertyItem& item) {
         return;
     }
     const PropertyPlace place = find_place(schema_, name);
-    if (place.schema == nullptr) {
+    if (place.schema == nullptr && was_reported(name)) {
+        is_right_ = false;
+    } else if (place.schema == nullptr) {
         unknown_property(item, name);
     } else if (use_ == BlockUse::instance && !place.is_common) {
         error(Code::E0401, item.name_span,
@@ -192,7 +195,8 @@ void BlockCheck::child(const BlockItem& item) {
     }
 }
 
-void BlockCheck::forms() {
+// Returns true if two forms are mixed.
+bool BlockCheck::forms() {
     const std::span<const PropertySchema> properties = schema_.properties;
     std::size_t first = properties.size();
     std::size_t second = properties.size();
@@ -201,7 +205,7 @@ void BlockCheck::forms() {
         if (properties[slot].form == Form::first) first = slot;
         if (properties[slot].form == Form::second) second = slot;
     }
-    if (first == properties.size() || second == properties.size()) return;
+    if (first == properties.size() || second == properties.size()) return false;
     const bool first_is_later = set_[first].offset > set_[second].offset;
     const Span later = set_[first_is_later ? first : second];
     const Span earlier = set_[first_is_later ? second : first];
@@ -209,6 +213,7 @@ void BlockCheck::forms() {
         Code::E0411, later,
         fmt::format("give `{}` or `{}`, not both", properties[first].name, properties[second].name))
         .with_label(earlier, "the other one");
+    return true;
 }
 
 void BlockCheck::required() {

@@ -13,6 +13,7 @@
 #include "parser/builtins.h"
 #include "parser/check_block.h"
 #include "parser/constant_value.h"
+#include "parser/lexer.h"
 #include "parser/prelude.h"
 #include "parser/property_type.h"
 #include "parser/schema.h"
@@ -63,6 +64,7 @@ class Checker {
     void name(NameExpr& expr, bool is_block_head);
     void unknown_name(const NameExpr& expr, bool is_block_head);
     void call(const CallExpr& expr);
+    std::string as_properties(const CallExpr& expr) const;
     void arguments(const CallExpr& expr, const Builtin& builtin);
     void block(BlockExpr& expr, bool is_placed);
     void value_of(const PropertySchema& property, const Expr& expr);
@@ -172,9 +174,8 @@ void Checker::let(LetItem& item) {
             .with_help("a name has one value; choose another name");
     } else if (hidden != nullptr) {
         diagnostics_
-            .warning(Code::W1102, item.name_span,
-                     fmt::format("`{}` hides the `{}` of the block around", text, text))
-            .with_label(hidden->span, "which is defined here");
+            .warning(Code::W1102, item.name_span, fmt::format("`{0}` hides the outer `{0}`", text))
+            .with_label(hidden->span, "the outer one");
     }
     item.slot = static_cast<std::uint32_t>(checked_.variables.size());
     checked_.variables.push_back(item.name_span);
@@ -227,7 +228,7 @@ void Checker::value_of(const PropertySchema& property, const Expr& expr) {
         return;
     }
     if (const std::optional<Value> value = constant_value(expr, arena_)) {
-        fit(property, *value, expr.span, diagnostics_);
+        fit(property, *value, expr.span, diagnostics_, name_of(expr, sources_));
         return;
     }
     if (expr.kind == ExprKind::list) {  // its size is plain, whatever is in it
@@ -260,6 +261,12 @@ void Checker::assignment(const AssignmentItem& item, const BlockSchema* block_sc
     } else if (const Variable* variable = find(name_expr.symbol)) {
         diagnostics_.error(Code::E0204, item.target->span, fmt::format("`{}` is constant", target))
             .with_label(variable->span, "defined here");
+    } else if (find_block(name_expr.symbol) != nullptr || find_constant(target) ||
+               find_builtin(target)) {
+        diagnostics_
+            .error(Code::E0204, item.target->span,
+                   fmt::format("`{}` is built in; it cannot be assigned to", target))
+            .with_help(fmt::format("a name of your own is written `let {} = ...`", target));
     } else {
         diagnostics_.error(Code::E0201, item.target->span, fmt::format("unknown name `{}`", target))
             .with_help(fmt::format("a new name is written `let {} = ...`", target));
@@ -426,7 +433,7 @@ void Checker::unknown_name(const NameExpr& expr, bool is_block_head) {
             .with_label(*later, "defined here, later");
         return;
     }
-    if (has_failed_include_) return;
+    if (has_failed_include_ || was_reported(text)) return;
     if (is_not_yet_available(text)) {
         diagnostics_.error(Code::E0120, expr.span,
                            fmt::format("`{}` is not available in this version of lray", text));
@@ -466,7 +473,8 @@ void Checker::call(const CallExpr& expr) {
         }
         if (find(callee.symbol) == nullptr && find_block(callee.symbol) != nullptr) {
             diagnostics_.error(Code::E0407, callee.span,
-                               fmt::format("`{}` is a block; write `{} {{ ... }}`", text, text));
+                               fmt::format("`{}` is a block; write `{} {{ {} }}`", text, text,
+                                           as_properties(expr)));
             return;
         }
         name(callee, false);
@@ -476,6 +484,17 @@ void Checker::call(const CallExpr& expr) {
     }
     diagnostics_.error(Code::E0307, expr.callee->span,
                        fmt::format("`{}` is not a function", sources_.text(expr.callee->span)));
+}
+
+// `radius: 2, center: p` of a call, when all its arguments have names.
+std::string Checker::as_properties(const CallExpr& expr) const {
+    std::string result;
+    for (const Argument& argument : expr.arguments) {
+        if (argument.name == kNoSymbol) return "...";
+        result += fmt::format("{}{}: {}", result.empty() ? "" : ", ", symbols_.text(argument.name),
+                              sources_.text(argument.value->span));
+    }
+    return result.empty() ? "..." : result;
 }
 
 void Checker::arguments(const CallExpr& expr, const Builtin& builtin) {
@@ -497,12 +516,12 @@ void Checker::arguments(const CallExpr& expr, const Builtin& builtin) {
                     .error(Code::E0306, argument.name_span,
                            fmt::format("`{}` has no argument `{}`", builtin.name, text))
                     .with_hint(did_you_mean(text, names));
-                continue;
+                return;
             }
         } else if (has_named) {
             diagnostics_.error(Code::E0306, argument.value->span,
                                "arguments without a name come before those with one");
-            continue;
+            return;
         }
         if (place >= count) {
             diagnostics_.error(Code::E0306, argument.value->span,

@@ -60,7 +60,7 @@ class Evaluator {
           symbols_(symbols),
           sources_(sources),
           files_(files),
-          budget_{limits.steps, limits.value_bytes, limits.steps},
+          budget_{limits.steps, limits.value_bytes, limits.steps, limits.value_bytes, false},
           scene_(scene),
           diagnostics_(diagnostics),
           variables_(checked.variables.size(), Value::poison()) {}
@@ -102,6 +102,7 @@ class Evaluator {
     Value index(const IndexExpr& expr);
     Value member(const MemberExpr& expr);
     Value material_member(const MemberExpr& expr, const Made& made);
+    Value node_member(const MemberExpr& expr, const Made& made);
     Value list(const ListExpr& expr);
     std::optional<bool> condition(const Expr& expr);
     void explain_zero(const Expr& divisor, Diagnostic& diagnostic);
@@ -166,6 +167,7 @@ void Evaluator::property(const PropertyItem& item, OpenBlock& open) {
     const Value value = eval(*item.value);
     if (open.schema.takes_any_string) {
         if (value.is(ValueKind::string)) {
+            if (!take_bytes(budget_, value.count, item.value->span, diagnostics_)) return;
             scene_.info.emplace_back(symbols_.text(item.name), value.string());
         } else if (!value.is(ValueKind::poison)) {
             error(Code::E0301, item.value->span,
@@ -176,7 +178,8 @@ void Evaluator::property(const PropertyItem& item, OpenBlock& open) {
     }
     const PropertyPlace place = find_place(open.schema, symbols_.text(item.name));
     LRAY_ASSERT(place.schema != nullptr);
-    const Value fitted = fit(*place.schema, value, item.value->span, diagnostics_);
+    const Value fitted =
+        fit(*place.schema, value, item.value->span, diagnostics_, name_of(*item.value, sources_));
     if (fitted.is(ValueKind::poison)) {
         open.is_poisoned = true;
     } else if (place.is_common) {
@@ -328,7 +331,10 @@ Value Evaluator::block_value(const BlockExpr& expr) {
             open.visible = original.visible;
             open.casts_shadow = original.casts_shadow;
             if (original.kind == scene::NodeKind::group) {
-                open.children = scene_.groups[original.index].children;
+                const std::vector<NodeId>& children = scene_.groups[original.index].children;
+                const std::uint64_t size = children.size() * sizeof(NodeId);
+                if (!take_bytes(budget_, size, expr.span, diagnostics_)) return Value::poison();
+                open.children = children;
             }
         }
     }
@@ -394,6 +400,13 @@ std::optional<ShapeRef> Evaluator::shape_of(const OpenBlock& open) {
                         static_cast<std::uint32_t>(scene_.groups.size() - 1)};
     }
     if (open.schema.kind == BlockKind::mesh) {
+        std::uint64_t numbers = 0;  // a list may be used for any number of meshes
+        for (std::size_t slot = 0; slot < open.schema.properties.size(); ++slot) {
+            const Value& value = open.values[slot];
+            if (value.is(ValueKind::rows)) numbers += std::uint64_t{value.count} * value.width;
+        }
+        const std::uint64_t size = numbers * sizeof(float);
+        if (!take_bytes(budget_, size, open.span, diagnostics_)) return std::nullopt;
         const std::optional<scene::MeshUse> use =
             build_mesh(open.values, open.value_spans, open.span, files_, scene_, diagnostics_);
         if (!use) return std::nullopt;
@@ -429,7 +442,7 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
 // ---- expressions
 
 Value Evaluator::eval(const Expr& expr) {
-    if (!take_step(budget_, expr.span, diagnostics_)) return Value::poison();
+    if (!take_steps(budget_, 1, expr.span, diagnostics_)) return Value::poison();
     switch (expr.kind) {
         case ExprKind::error:
             return Value::poison();
@@ -486,7 +499,7 @@ Value Evaluator::unary(const UnaryExpr& expr) {
         const std::optional<bool> operand = condition(*expr.operand);
         return operand ? Value::of(!*operand) : Value::poison();
     }
-    return apply_sign(expr.op, eval(*expr.operand), expr.span, arena_, diagnostics_);
+    return apply_sign(expr.op, eval(*expr.operand), expr.span, arena_, budget_, diagnostics_);
 }
 
 Value Evaluator::binary(const BinaryExpr& expr) {
@@ -543,7 +556,7 @@ Value Evaluator::call(const CallExpr& expr) {
     const NameExpr& callee = static_cast<const NameExpr&>(*expr.callee);
     if (callee.meaning != Meaning::function) return Value::poison();
     const Builtin& builtin = builtins()[callee.index];
-    Call made{{}, expr.arguments.size(), expr.span, arena_, diagnostics_};
+    Call made{{}, expr.arguments.size(), expr.span, arena_, budget_, diagnostics_};
     std::array<Span, kMaxParameters> spans{};
     std::size_t position = 0;
     for (const Argument& argument : expr.arguments) {
@@ -603,6 +616,7 @@ Value Evaluator::member(const MemberExpr& expr) {
     const Value object = eval(*expr.object);
     if (object.is(ValueKind::poison)) return object;
     if (object.is(ValueKind::material)) return material_member(expr, *object.made);
+    if (object.is(ValueKind::node)) return node_member(expr, *object.made);
     constexpr std::string_view kAxes = "xyzw";
     constexpr std::string_view kChannels = "rgba";
     const bool is_vector = object.is(ValueKind::numbers) && object.count >= 2 && object.count <= 4;
@@ -653,7 +667,36 @@ Value Evaluator::material_member(const MemberExpr& expr, const Made& made) {
     return Value::of(property.default_value[0]);
 }
 
+// A property of a shape: as it was set, or its default.
+Value Evaluator::node_member(const MemberExpr& expr, const Made& made) {
+    const std::string_view field = symbols_.text(expr.name);
+    const std::span<const PropertySchema> properties = made.schema->properties;
+    const std::size_t slot = find_property(properties, field);
+    if (slot == properties.size()) {
+        error(Code::E0409, expr.name_span,
+              fmt::format("a {} has no field `{}`", made.schema->name, field));
+        return Value::poison();
+    }
+    const Value& value = (*made.values)[slot];
+    if (!value.is(ValueKind::none)) return value;
+    const PropertySchema& property = properties[slot];
+    const std::span<const double> fallback = property.default_value;
+    if (property.default_text.starts_with('[')) {
+        const bool is_plane = property.type == PropertyType::size2;
+        return Value::of_numbers(fallback.first(is_plane ? 2 : 3));
+    }
+    if (property.type == PropertyType::boolean) return Value::of(fallback[0] != 0.0);
+    if (property.type == PropertyType::number && !property.default_text.empty()) {
+        return Value::of(fallback[0]);
+    }
+    error(Code::E0409, expr.name_span,
+          fmt::format("`{}` is not set in this {}", field, made.schema->name));
+    return Value::poison();
+}
+
 Value Evaluator::list(const ListExpr& expr) {
+    const std::uint64_t size = expr.elements.size() * sizeof(Value);
+    if (!take_bytes(budget_, size, expr.span, diagnostics_)) return Value::poison();
     std::vector<Value> elements;
     elements.reserve(expr.elements.size());
     for (const Expr* element_expr : expr.elements) elements.push_back(eval(*element_expr));

@@ -2,11 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
+#include "base/did_you_mean.h"
 #include "scene/obj_reader.h"
 
 namespace lray::parser {
+
+namespace {
+
+/// The ending of a file name when it is that of a mesh format other than OBJ; empty otherwise.
+std::string_view other_mesh_format(std::string_view path) {
+    constexpr std::array<std::string_view, 14> kOthers = {".3ds", ".abc",  ".blend", ".dae", ".fbx",
+                                                          ".glb", ".gltf", ".mtl",   ".off", ".ply",
+                                                          ".stl", ".usd",  ".usda",  ".x3d"};
+    for (const std::string_view other : kOthers) {
+        if (path.size() < other.size()) continue;
+        const std::string_view ending = path.substr(path.size() - other.size());
+        if (edit_distance(ending, other, 0) == 0) return ending;  // in any letter case
+    }
+    return {};
+}
+
+}  // namespace
 
 std::optional<SourceId> FileLoader::main_scene(std::string_view path) {
     return add(files_.read_main(path, limits_.scene_bytes), path, Span{}, limits_.scene_bytes,
@@ -105,6 +124,13 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
     const auto [known, is_new] = meshes_.try_emplace({directories_[from], std::string(path)});
     std::optional<scene::MeshId>& mesh_id = known->second;
     if (!is_new) return mesh_id;
+    if (const std::string_view format = other_mesh_format(path); !format.empty()) {
+        diagnostics_
+            .error(Code::E0705, span,
+                   fmt::format("`{}` files are not read by this version", format))
+            .with_help("save the mesh as OBJ");
+        return std::nullopt;
+    }
     const std::optional<SourceId> file =
         read(path, from, span, limits_.mesh_bytes, "--max-mesh-bytes");
     if (!file) return std::nullopt;

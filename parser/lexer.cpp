@@ -1,3 +1,4 @@
+// Blanks, names, numbers and punctuation; strings are in lexer_text.cpp.
 #include "parser/lexer.h"
 
 #include <fmt/format.h>
@@ -62,11 +63,17 @@ Lexer::Lexer(const Sources& sources, SourceId source, Symbols& symbols, Diagnost
       diagnostics_(diagnostics) {
     const std::string_view text(begin_, static_cast<std::size_t>(end_ - begin_));
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
-    if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE")) {
+    // A file that is not text is told so once, not character by character.
+    const void* const nul = std::memchr(begin_, '\0', text.size());
+    const bool is_utf16 = text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE");
+    if (is_utf16) {
         diagnostics_.error(Code::E0003, span(0, 2), "this file is UTF-16; save it as UTF-8");
-        is_binary_ = true;
-        at_ = end_;
+    } else if (nul != nullptr) {
+        const auto offset = static_cast<std::uint32_t>(static_cast<const char*>(nul) - begin_);
+        diagnostics_.error(Code::E0003, span(offset, offset + 1),
+                           "this is not a text file: it contains a NUL byte");
     }
+    if (is_utf16 || nul != nullptr) at_ = end_;
 }
 
 Span Lexer::span_from(const char* from, const char* to) const {
@@ -100,6 +107,7 @@ Token Lexer::next() {
     } else {
         token = punctuation();
     }
+    is_after_let_ = token.kind == TokenKind::kw_let;
     token.newline_before = token.newline_before || newline_before;
     return token;
 }
@@ -150,15 +158,8 @@ void Lexer::skip_block_comment() {
 // Steps over one code point of text that is not looked at: a comment or a string.
 void Lexer::check_code_point() {
     const auto byte = static_cast<unsigned char>(*at_);
-    if (byte != 0 && byte < 0x80) {
+    if (byte < 0x80) {
         ++at_;
-        return;
-    }
-    if (byte == 0) {
-        diagnostics_.error(Code::E0003, span_from(at_, at_ + 1),
-                           "this is not a text file: it contains a NUL byte");
-        is_binary_ = true;
-        at_ = end_;
         return;
     }
     const CodePoint point = decode_utf8({at_, static_cast<std::size_t>(end_ - at_)});
@@ -182,52 +183,6 @@ Token Lexer::identifier() {
     if (static_cast<unsigned char>(*to) >= 0x80) return foreign_character();
     Token token = finish(TokenKind::identifier, to);
     token.symbol = symbols_.intern({token_begin_, token.length});
-    if (token.symbol < kKeywords.size()) token.kind = static_cast<TokenKind>(token.symbol);
-    return token;
-}
-
-// A name with letters beyond ASCII: reported, then read as the name it looks like.
-Token Lexer::foreign_character() {
-    std::string name;
-    const char* to = at_;
-    const char* first_foreign = nullptr;
-    CodePoint foreign;
-    while (to < end_) {
-        if (is_a(*to, kLetter | kDigit)) {
-            name += *to++;
-            continue;
-        }
-        if (static_cast<unsigned char>(*to) < 0x80) break;
-        const CodePoint point = decode_utf8({to, static_cast<std::size_t>(end_ - to)});
-        if (point.length == 0) break;
-        if (first_foreign == nullptr) {
-            first_foreign = to;
-            foreign = point;
-        }
-        const Confusable* confusable = find_confusable(point.value);
-        if (confusable != nullptr) {
-            name += confusable->looks_like;
-        } else {
-            name += fmt::format("_u{:x}", static_cast<std::uint32_t>(point.value));
-        }
-        to += point.length;
-    }
-    if (first_foreign == nullptr) {  // not UTF-8
-        check_code_point();
-        return next();
-    }
-    const Span place = span_from(first_foreign, first_foreign + foreign.length);
-    const std::string_view shown(first_foreign, foreign.length);
-    if (const Confusable* confusable = find_confusable(foreign.value)) {
-        diagnostics_.error(Code::E0004, place,
-                           fmt::format("`{}` is {}; did you mean Latin `{}`?", shown,
-                                       confusable->name, confusable->looks_like));
-    } else {
-        diagnostics_.error(Code::E0004, place, fmt::format("`{}` cannot be part of a name", shown))
-            .with_help("names are made of the letters a to z, digits and `_`");
-    }
-    Token token = finish(TokenKind::identifier, to);
-    token.symbol = symbols_.intern(name);
     if (token.symbol < kKeywords.size()) token.kind = static_cast<TokenKind>(token.symbol);
     return token;
 }
@@ -270,6 +225,7 @@ Token Lexer::number() {
             } else if (exponent != to + 1) {  // `1e-x`
                 is_malformed = true;
                 to = exponent;
+                while (is_a(*to, kLetter | kDigit)) ++to;
             }
         }
         const char* number_begin = at_;
@@ -312,28 +268,13 @@ void Lexer::number_suffix(Token& token) {
     const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
                                    [&](const Unit& candidate) { return candidate.name == name; });
     if (unit == kUnits.end()) {
+        if (is_after_let_) return;  // `let 2nd`: no unit, but a name; the parser says so
         diagnostics_.error(Code::E0007, span_from(begin, at_),
                            fmt::format("unknown unit `{}`; units: deg rad turn m cm mm km", name));
         return;
     }
     token.number *= unit->factor;
     if (!std::isfinite(token.number)) token.number = 0.0;
-}
-
-Token Lexer::string() {
-    const char* const opening = at_;
-    ++at_;
-    while (at_ < end_ && *at_ != '"' && *at_ != '\n' && *at_ != '\r') {
-        if (*at_ == '\\' && at_ + 1 < end_ && at_[1] != '\n' && at_[1] != '\r') ++at_;
-        check_code_point();
-    }
-    if (at_ < end_ && *at_ == '"') return finish(TokenKind::string, at_ + 1);
-    if (!is_binary_) {
-        diagnostics_
-            .error(Code::E0005, span_from(opening, at_), "this string is not closed on its line")
-            .with_help("end it with `\"`");
-    }
-    return finish(TokenKind::string, at_);
 }
 
 // `#` begins a colour. Otherwise it is the comment of another language, and the line is skipped.
@@ -444,14 +385,9 @@ Token Lexer::operator_token() {
             break;
     }
     if (static_cast<unsigned char>(rest[0]) >= 0x80) return foreign_character();
-    if (rest[0] == '\0') {
-        check_code_point();
-        return finish(TokenKind::end, end_);
-    }
-    Diagnostic& diagnostic =
-        diagnostics_.error(Code::E0001, span_from(at_, at_ + 1),
-                           fmt::format("`{}` means nothing here", std::string(1, rest[0])));
-    if (rest[0] == '\'') diagnostic.with_help("strings are written with `\"`");
+    if (rest[0] == '\'') return quoted_otherwise(1, "'");
+    diagnostics_.error(Code::E0001, span_from(at_, at_ + 1),
+                       fmt::format("`{}` means nothing here", rest.substr(0, 1)));
     ++at_;
     return next();
 }
@@ -461,81 +397,6 @@ std::string_view foreign_operator_fix(std::string_view text) {
         if (foreign.text == text) return foreign.fix;
     }
     return {};
-}
-
-std::string_view unescape(std::string_view inner, Span inner_span, std::string& buffer,
-                          Diagnostics& diagnostics) {
-    if (inner.find('\\') == std::string_view::npos) return inner;
-    buffer.clear();
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-        if (inner[i] != '\\' || i + 1 == inner.size()) {
-            buffer += inner[i];
-            continue;
-        }
-        const std::size_t escape = i++;
-        const auto bad = [&](std::size_t to, std::string message) {
-            diagnostics.error(
-                Code::E0009,
-                Span::make(inner_span.source, inner_span.offset + escape, inner_span.offset + to),
-                std::move(message));
-        };
-        switch (inner[i]) {
-            case 'n':
-                buffer += '\n';
-                break;
-            case 't':
-                buffer += '\t';
-                break;
-            case '"':
-            case '\\':
-                buffer += inner[i];
-                break;
-            case 'u': {
-                const std::size_t close = inner.find('}', i);
-                std::uint32_t value = 0;
-                const bool has_braces =
-                    i + 1 < inner.size() && inner[i + 1] == '{' && close != std::string_view::npos;
-                const std::string_view digits =
-                    has_braces ? inner.substr(i + 2, close - i - 2) : std::string_view{};
-                bool is_valid = !digits.empty() && digits.size() <= 6;
-                for (const char c : digits) {
-                    is_valid = is_valid && is_a(c, kHex);
-                    const int digit = c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10;
-                    value = value * 16 + static_cast<std::uint32_t>(digit & 15);
-                }
-                is_valid = is_valid && value <= 0x10FFFF && !(value >= 0xD800 && value <= 0xDFFF);
-                if (!is_valid) {
-                    bad(has_braces ? close + 1 : i + 1,
-                        "a code point is written `\\u{1F600}`: 1 to 6 hex digits, at most 10FFFF");
-                    i = has_braces ? close : i;
-                    break;
-                }
-                i = close;
-                if (value < 0x80) {
-                    buffer += static_cast<char>(value);
-                } else if (value < 0x800) {
-                    buffer += static_cast<char>(0xC0 | value >> 6);
-                    buffer += static_cast<char>(0x80 | (value & 0x3F));
-                } else if (value < 0x10000) {
-                    buffer += static_cast<char>(0xE0 | value >> 12);
-                    buffer += static_cast<char>(0x80 | (value >> 6 & 0x3F));
-                    buffer += static_cast<char>(0x80 | (value & 0x3F));
-                } else {
-                    buffer += static_cast<char>(0xF0 | value >> 18);
-                    buffer += static_cast<char>(0x80 | (value >> 12 & 0x3F));
-                    buffer += static_cast<char>(0x80 | (value >> 6 & 0x3F));
-                    buffer += static_cast<char>(0x80 | (value & 0x3F));
-                }
-                break;
-            }
-            default:
-                bad(i + 1,
-                    fmt::format("`\\{}` is no escape; there are \\n \\t \\\" \\\\ \\u{{...}}",
-                                inner[i]));
-                break;
-        }
-    }
-    return buffer;
 }
 
 }  // namespace lray::parser

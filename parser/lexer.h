@@ -1,12 +1,14 @@
 // Text to tokens, one at a time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "base/diagnostics.h"
 #include "base/source.h"
+#include "parser/characters.h"
 #include "parser/symbols.h"
 #include "parser/token.h"
 
@@ -31,9 +33,6 @@ class Lexer {
         return Span::make(source_, begin, end);
     }
 
-    /// True when the file turned out not to be text: there is no point in going on.
-    bool is_binary() const { return is_binary_; }
-
  private:
     bool skip_blanks();
     void skip_line_comment();
@@ -43,6 +42,9 @@ class Lexer {
     Token number();
     void number_suffix(Token& token);
     Token string();
+    const char* unclosed_string_end(const char* opening) const;
+    Token quoted_otherwise(std::size_t opening_size, std::string_view closing);
+    Token punctuation_lookalike(const Lookalike& lookalike, std::size_t size);
     Token hash();
     Token punctuation();
     Token operator_token();
@@ -57,9 +59,15 @@ class Lexer {
     SourceId source_;
     Symbols& symbols_;
     Diagnostics& diagnostics_;
-    bool is_binary_ = false;
+    bool is_after_let_ = false;
     bool has_invalid_utf8_ = false;
 };
+
+/// True for a name with characters beyond ASCII, which the lexer has reported.
+inline bool was_reported(std::string_view name) {
+    return std::any_of(name.begin(), name.end(),
+                       [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+}
 
 /// Returns what to write instead of an operator of another language: "use `and`".
 std::string_view foreign_operator_fix(std::string_view text);

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/assert.h"
@@ -56,7 +58,7 @@ Value no_result(TokenKind op, double a, double b, Span span, Diagnostics& diagno
 
 // Numbers and vectors: element by element, a number with each element.
 Value numeric(TokenKind op, const Value& left, const Value& right, Span span, Arena& arena,
-              Diagnostics& diagnostics) {
+              Budget& budget, Diagnostics& diagnostics) {
     const bool is_left_list = left.is(ValueKind::numbers);
     const bool is_right_list = right.is(ValueKind::numbers);
     if (!is_left_list && !is_right_list) {
@@ -71,6 +73,7 @@ Value numeric(TokenKind op, const Value& left, const Value& right, Span span, Ar
         return Value::poison();
     }
     const std::uint32_t count = is_left_list ? left.count : right.count;
+    if (!take_numbers(budget, count, span, diagnostics)) return Value::poison();
     double* const results =
         static_cast<double*>(arena.allocate(count * sizeof(double), alignof(double)));
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -94,79 +97,8 @@ bool compare(TokenKind op, double a, double b) {
     return a >= b;
 }
 
-}  // namespace
-
-bool take_step(Budget& budget, Span span, Diagnostics& diagnostics) {
-    if (budget.steps > 0) {
-        --budget.steps;
-        return true;
-    }
-    diagnostics
-        .error(Code::E0512, span,
-               fmt::format("evaluating the scene takes more than {} steps", budget.max_steps))
-        .with_help("raise the limit with `--max-steps N`");
-    return false;
-}
-
-Value apply(TokenKind op, const Value& left, const Value& right, Span span, Arena& arena,
-            Budget& budget, Diagnostics& diagnostics) {
-    if (left.is(ValueKind::poison) || right.is(ValueKind::poison)) return Value::poison();
-    if (is_one_of(op, TokenKind::equal_equal, TokenKind::not_equal)) {
-        const bool equal = is_equal(left, right, budget);
-        if (budget.steps == 0 && !take_step(budget, span, diagnostics)) return Value::poison();
-        return Value::of(equal == (op == TokenKind::equal_equal));
-    }
-    if (is_comparison_of_order(op)) {
-        if (left.is(ValueKind::number) && right.is(ValueKind::number)) {
-            return Value::of(compare(op, left.number, right.number));
-        }
-        diagnostics.error(Code::E0301, span,
-                          fmt::format("only numbers have an order, these are {} and {}",
-                                      describe(left), describe(right)));
-        return Value::poison();
-    }
-    if (is_numeric(left) && is_numeric(right)) {
-        return numeric(op, left, right, span, arena, diagnostics);
-    }
-    if (op == TokenKind::plus && left.is(ValueKind::string) && right.is(ValueKind::string)) {
-        const std::uint64_t size = std::uint64_t{left.count} + right.count;
-        if (arena.size() + size > budget.value_bytes) {
-            diagnostics
-                .error(Code::E0516, span,
-                       fmt::format("the values of this scene need more than {} bytes",
-                                   budget.value_bytes))
-                .with_help("raise the limit with `--max-value-bytes N`");
-            return Value::poison();
-        }
-        std::string joined(left.string());
-        joined += right.string();
-        return Value::of_string(arena.copy(std::string_view(joined)), left.source);
-    }
-    diagnostics.error(
-        Code::E0301, span,
-        fmt::format("cannot {} {} and {}", verb(op), describe(left), describe(right)));
-    return Value::poison();
-}
-
-Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena,
-                 Diagnostics& diagnostics) {
-    if (operand.is(ValueKind::poison)) return operand;
-    if (!is_numeric(operand)) {
-        diagnostics.error(Code::E0301, span,
-                          fmt::format("a sign needs a number, this is {}", describe(operand)));
-        return Value::poison();
-    }
-    if (op == TokenKind::plus) return operand;
-    if (operand.is(ValueKind::number)) return Value::of(-operand.number);
-    const std::span<double> negated =
-        arena.copy(std::span<const double>(operand.numbers, operand.count));
-    for (double& number : negated) number = -number;
-    return Value::of_numbers(negated);
-}
-
-bool is_equal(const Value& a, const Value& b, Budget& budget) {
-    if (budget.steps == 0 || a.kind != b.kind) return false;
-    --budget.steps;
+/// Of values of one kind, lists excepted.
+bool is_equal_flat(const Value& a, const Value& b) {
     switch (a.kind) {
         case ValueKind::none:
         case ValueKind::poison:
@@ -181,27 +113,135 @@ bool is_equal(const Value& a, const Value& b, Budget& budget) {
         case ValueKind::color:
         case ValueKind::rows: {
             if (a.count != b.count || a.width != b.width) return false;
-            const std::size_t size =
-                a.is(ValueKind::rows) ? std::size_t{a.count} * a.width : a.count;
-            for (std::size_t i = 0; i < size; ++i) {
-                if (a.numbers[i] != b.numbers[i]) return false;
-            }
-            return true;
-        }
-        case ValueKind::list: {
-            if (a.count != b.count) return false;
-            for (std::uint32_t i = 0; i < a.count; ++i) {
-                if (!is_equal(a.elements[i], b.elements[i], budget)) return false;
-            }
-            return true;
+            const std::size_t width = a.is(ValueKind::rows) ? a.width : 1;
+            return std::equal(a.numbers, a.numbers + a.count * width, b.numbers);
         }
         case ValueKind::transform:
             return a.transform == b.transform;
         case ValueKind::material:
         case ValueKind::node:
             return a.made == b.made;
+        case ValueKind::list:
+            break;
     }
     LRAY_ASSERT(false);
+}
+
+}  // namespace
+
+bool take_steps(Budget& budget, std::uint64_t count, Span span, Diagnostics& diagnostics) {
+    if (budget.is_spent) return false;
+    if (budget.steps >= count) {
+        budget.steps -= count;
+        return true;
+    }
+    budget.is_spent = true;
+    diagnostics
+        .error(Code::E0512, span,
+               fmt::format("evaluating the scene takes more than {} steps", budget.max_steps))
+        .with_help("raise the limit with `--max-steps N`");
+    return false;
+}
+
+bool take_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics& diagnostics) {
+    if (budget.is_spent) return false;
+    if (budget.value_bytes >= size) {
+        budget.value_bytes -= size;
+        return true;
+    }
+    budget.is_spent = true;
+    diagnostics
+        .error(
+            Code::E0516, span,
+            fmt::format("the values of this scene need more than {} bytes", budget.max_value_bytes))
+        .with_help("raise the limit with `--max-value-bytes N`");
+    return false;
+}
+
+bool take_numbers(Budget& budget, std::uint64_t count, Span span, Diagnostics& diagnostics) {
+    constexpr std::uint64_t kFree = 4;  // vectors cost what numbers cost
+    return take_bytes(budget, count * sizeof(double), span, diagnostics) &&
+           (count <= kFree || take_steps(budget, count, span, diagnostics));
+}
+
+Value apply(TokenKind op, const Value& left, const Value& right, Span span, Arena& arena,
+            Budget& budget, Diagnostics& diagnostics) {
+    if (left.is(ValueKind::poison) || right.is(ValueKind::poison)) return Value::poison();
+    if (is_one_of(op, TokenKind::equal_equal, TokenKind::not_equal)) {
+        const std::optional<bool> equal = is_equal(left, right, span, budget, diagnostics);
+        return equal ? Value::of(*equal == (op == TokenKind::equal_equal)) : Value::poison();
+    }
+    if (is_comparison_of_order(op)) {
+        if (left.is(ValueKind::number) && right.is(ValueKind::number)) {
+            return Value::of(compare(op, left.number, right.number));
+        }
+        diagnostics.error(Code::E0301, span,
+                          fmt::format("only numbers have an order, these are {} and {}",
+                                      describe(left), describe(right)));
+        return Value::poison();
+    }
+    if (is_numeric(left) && is_numeric(right)) {
+        return numeric(op, left, right, span, arena, budget, diagnostics);
+    }
+    if (op == TokenKind::plus && left.is(ValueKind::string) && right.is(ValueKind::string)) {
+        const std::uint64_t size = std::uint64_t{left.count} + right.count;
+        constexpr std::uint64_t kMaxSize = std::numeric_limits<std::uint32_t>::max();
+        if (size > kMaxSize) {
+            diagnostics.error(Code::E0516, span, "a string must be smaller than 4 GiB");
+            return Value::poison();
+        }
+        if (!take_bytes(budget, size, span, diagnostics)) return Value::poison();
+        char* const joined = static_cast<char*>(arena.allocate(size, 1));
+        std::copy_n(left.text, left.count, joined);
+        std::copy_n(right.text, right.count, joined + left.count);
+        return Value::of_string({joined, size}, left.source);
+    }
+    diagnostics.error(
+        Code::E0301, span,
+        fmt::format("cannot {} {} and {}", verb(op), describe(left), describe(right)));
+    return Value::poison();
+}
+
+Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena, Budget& budget,
+                 Diagnostics& diagnostics) {
+    if (operand.is(ValueKind::poison)) return operand;
+    if (!is_numeric(operand)) {
+        diagnostics.error(Code::E0301, span,
+                          fmt::format("a sign needs a number, this is {}", describe(operand)));
+        return Value::poison();
+    }
+    if (op == TokenKind::plus) return operand;
+    if (operand.is(ValueKind::number)) return Value::of(-operand.number);
+    if (!take_numbers(budget, operand.count, span, diagnostics)) return Value::poison();
+    const std::span<double> negated =
+        arena.copy(std::span<const double>(operand.numbers, operand.count));
+    for (double& number : negated) number = -number;
+    return Value::of_numbers(negated);
+}
+
+std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& budget,
+                             Diagnostics& diagnostics) {
+    // Lists of lists may be nested without bound by way of names: no recursion.
+    std::vector<std::pair<Value, Value>> pairs = {{a, b}};
+    while (!pairs.empty()) {
+        const auto [left, right] = pairs.back();
+        pairs.pop_back();
+        if (left.kind != right.kind) return false;
+        const std::uint64_t size =
+            left.is_list() || left.is(ValueKind::string)
+                ? std::uint64_t{left.count} * std::max<unsigned>(left.width, 1)
+                : 1;
+        if (left.is_list() && left.count != right.count) return false;
+        if (!take_steps(budget, std::max<std::uint64_t>(size, 1), span, diagnostics)) return {};
+        if (left.is(ValueKind::list)) {
+            for (std::uint32_t i = 0; i < left.count; ++i) {
+                pairs.emplace_back(left.elements[i], right.elements[i]);
+            }
+        } else if (!is_equal_flat(left, right)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 Value make_list(std::span<const Value> elements, Arena& arena) {

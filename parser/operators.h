@@ -1,7 +1,9 @@
 // The arithmetic of values.
 #pragma once
 
-#include <string>
+#include <cstdint>
+#include <optional>
+#include <span>
 
 #include "base/diagnostics.h"
 #include "parser/arena.h"
@@ -10,15 +12,24 @@
 
 namespace lray::parser {
 
-/// What evaluation may still spend.
+/// What evaluation may still spend. Spent once, it stays spent: nothing more is evaluated, and
+/// nothing more is said.
 struct Budget {
-    std::uint64_t steps = 0;        // left
-    std::uint64_t value_bytes = 0;  // that the arena may hold
-    std::uint64_t max_steps = 0;    // for the message
+    std::uint64_t steps = 0;            // left
+    std::uint64_t value_bytes = 0;      // left
+    std::uint64_t max_steps = 0;        // for the messages
+    std::uint64_t max_value_bytes = 0;  // likewise
+    bool is_spent = false;
 };
 
-/// Takes one step from the budget. Errors: false, E0512 reported at `span`.
-bool take_step(Budget& budget, Span span, Diagnostics& diagnostics);
+/// Takes steps from the budget. Errors: false, E0512 reported at `span`.
+bool take_steps(Budget& budget, std::uint64_t count, Span span, Diagnostics& diagnostics);
+
+/// Takes memory for something computed. Errors: false, E0516 reported at `span`.
+bool take_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics& diagnostics);
+
+/// Takes what making `count` numbers costs: memory, and a step each beyond the first few.
+bool take_numbers(Budget& budget, std::uint64_t count, Span span, Diagnostics& diagnostics);
 
 /// Returns left op right, of arithmetic and comparisons: numbers, vectors element by element with
 /// each other or with a number, `+` of strings, `==` and `!=` of everything.
@@ -28,12 +39,14 @@ Value apply(TokenKind op, const Value& left, const Value& right, Span span, Aren
             Budget& budget, Diagnostics& diagnostics);
 
 /// Returns -operand or +operand. Errors as apply().
-Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena,
+Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena, Budget& budget,
                  Diagnostics& diagnostics);
 
 /// True if the values are the same: lists by their elements, blocks by identity. Each comparison
-/// of two elements is a step; false when they run out.
-bool is_equal(const Value& a, const Value& b, Budget& budget);
+/// of two elements is a step.
+/// Errors: empty, E0512 reported at `span`.
+std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& budget,
+                             Diagnostics& diagnostics);
 
 /// Returns a list of the elements, packed where they are numbers or rows of numbers.
 Value make_list(std::span<const Value> elements, Arena& arena);

@@ -57,7 +57,7 @@ Expr* Parser::conditional() {
             advance();
             return true;
         }
-        error(Code::E0109, here(),
+        error(Code::E0117, here(),
               fmt::format("expected `{}`: a choice is written `if a then b else c`", word));
         return false;
     };
@@ -126,16 +126,18 @@ void Parser::chained_comparison(const BinaryExpr& first) {
     const Expr* last = binary(kComparisonPriority);
     if (is_panicking_) return;
     const Sources& sources = context_.sources;
-    const Span second = join(first.right->span, last->span);
-    error(Code::E0110, span_of(op),
-          fmt::format("write `{} and {}`", sources.text(first.span), sources.text(second)))
+    std::string rewrite = fmt::format("{} and {}", sources.text(first.span),
+                                      sources.text(join(first.right->span, last->span)));
+    while (binary_priority(token_.kind) == kComparisonPriority && continues_line()) {
+        advance();
+        const Expr* next = binary(kComparisonPriority);
+        if (is_panicking_) return;
+        rewrite += fmt::format(" and {}", sources.text(join(last->span, next->span)));
+        last = next;
+    }
+    error(Code::E0110, span_of(op), fmt::format("write `{}`", rewrite))
         .with_note("comparisons cannot be chained");
     is_panicking_ = false;
-    while (binary_priority(token_.kind) == kComparisonPriority && continues_line() &&
-           !is_panicking_) {
-        advance();
-        binary(kComparisonPriority);
-    }
 }
 
 // unary = ( "-" | "+" ) unary | power
@@ -145,15 +147,6 @@ Expr* Parser::unary() {
     if (!nested.fits()) return error_expr(span_of(token_));
     const Token op = token_;
     advance();
-    // `i++` and `i--`: the second sign has nothing behind it.
-    const bool is_step = token_.kind == op.kind && token_.offset == op.end() &&
-                         (ahead().newline_before || ahead().kind == TokenKind::end ||
-                          ahead().kind == TokenKind::right_brace);
-    if (is_step) {
-        error(Code::E0112, lexer_.span(op.offset, token_.end()),
-              fmt::format("there is no `{0}{0}`", text_of(op)));
-        return error_expr(span_of(op));
-    }
     Expr* operand = unary();
     UnaryExpr* made = make<UnaryExpr>(ExprKind::unary, span_from(op.offset), {operand});
     made->op = op.kind;
@@ -190,6 +183,8 @@ Expr* Parser::postfix_of(Expr* object) {
         const bool is_head = object->kind == ExprKind::name || object->kind == ExprKind::member ||
                              object->kind == ExprKind::index || object->kind == ExprKind::call ||
                              object->kind == ExprKind::block;
+        const bool is_list =
+            object->kind == ExprKind::list || object->kind == ExprKind::packed_list;
         if (token_.kind == TokenKind::left_brace && is_head) {
             object = block(object);
             continue;
@@ -209,12 +204,15 @@ Expr* Parser::postfix_of(Expr* object) {
             made->name = name.symbol;
             made->name_span = span_of(name);
             object = made;
-        } else if (token_.kind == TokenKind::left_bracket && is_head) {
+        } else if (token_.kind == TokenKind::left_bracket && (is_head || is_list)) {
             const Token opener = token_;
             ++bracket_depth_;
             advance();
             Expr* index = expression();
             --bracket_depth_;
+            if (is_list && token_.kind == TokenKind::comma) {  // `[[1, 2] [3, 4]]`
+                error(Code::E0106, span_of(opener), "expected `,` before `[`");
+            }
             close(TokenKind::right_bracket, opener);
             IndexExpr* made = make<IndexExpr>(ExprKind::index, span_from(begin), {object, index});
             made->object = object;
@@ -255,7 +253,7 @@ Expr* Parser::call(Expr* callee) {
         advance();
     }
     --bracket_depth_;
-    close(TokenKind::right_paren, opener);
+    if (!close(TokenKind::right_paren, opener)) return error_expr(span_from(begin));
     CallExpr* made = make<CallExpr>(ExprKind::call, span_from(begin), {callee});
     made->depth = static_cast<std::uint16_t>(depth + 1);
     made->callee = callee;
@@ -377,7 +375,7 @@ Expr* Parser::list() {
         advance();
     }
     --bracket_depth_;
-    close(TokenKind::right_bracket, opener);
+    if (!close(TokenKind::right_bracket, opener)) return error_expr(span_from(opener.offset));
     ListExpr* made = make<ListExpr>(ExprKind::list, span_from(opener.offset));
     made->depth = static_cast<std::uint16_t>(depth + 1);
     made->elements = context_.arena.copy(elements);
@@ -388,9 +386,11 @@ Expr* Parser::list() {
 Expr* Parser::string() {
     const Token token = token_;
     advance();
-    std::string_view inner = text_of(token).substr(1);
-    if (inner.ends_with('"')) inner.remove_suffix(1);
-    const Span inner_span = lexer_.span(token.offset + 1, token.end());
+    const std::string_view text = text_of(token);
+    std::string_view inner = text.substr(token.quote_size);
+    const bool is_closed = token.quote_size > 1 || (!inner.empty() && inner.back() == text.front());
+    if (is_closed) inner.remove_suffix(token.quote_size);
+    const Span inner_span = lexer_.span(token.offset + token.quote_size, token.end());
     std::string buffer;
     const std::string_view value = unescape(inner, inner_span, buffer, diagnostics_);
     StringExpr* made = make<StringExpr>(ExprKind::string, span_of(token));

@@ -73,6 +73,13 @@ void Parser::version() {
     }
 }
 
+// The version of an included file stands at its begin, too.
+void Parser::misplaced_version() {
+    error(Code::E0118, span_of(token_), "`lrs` and a version stand at the very begin of a file");
+    skip_line();
+    is_panicking_ = false;
+}
+
 // items = { SEP } [ item { sep item } ] { SEP }
 // sep   = SEP { SEP } | (* empty, if the previous item ended in "}" *)
 std::span<Item* const> Parser::items(bool is_file) {
@@ -141,10 +148,16 @@ Item* Parser::future_statement() {
     } else if (keyword.kind == TokenKind::kw_if) {
         error(Code::E0120, span_of(keyword), "`if { }` is not available in this version of lray")
             .with_help("a value can be chosen: `if a then b else c`");
+        skip_balanced();
+        while (token_.kind == TokenKind::kw_else) {
+            advance();
+            skip_balanced();
+        }
+        is_panicking_ = false;
+        return nullptr;
     } else if (keyword.kind < TokenKind::kw_match) {
         error(Code::E0120, span_of(keyword),
-              fmt::format("`{}` is not available in this version of lray", text))
-            .with_help("grammar.md tells what there is");
+              fmt::format("`{}` is not available in this version of lray", text));
     } else {
         error(Code::E0114, span_of(keyword),
               fmt::format("`{}` is a keyword, kept for later", text));
@@ -214,10 +227,22 @@ Item* Parser::let() {
         result->value = error_expr(span_of(name));
     } else {
         advance();
-        result->value = expression();
+        result->value = value();
     }
     result->span = span_from(begin);
     return result;
+}
+
+// The value of a property or name.
+Expr* Parser::value() {
+    Expr* read = expression();
+    if (skip_list_without_opener(*read)) return error_expr(read->span);
+    if (read->kind != ExprKind::name) return read;
+    const bool is_block = find_block(static_cast<NameExpr*>(read)->symbol) != nullptr;
+    const bool may_lack_brace =
+        token_.newline_before ? is_block : line_closes_too_many_braces(token_);
+    if (may_lack_brace && read_block_without_brace(read->span)) return error_expr(read->span);
+    return read;
 }
 
 // include = "include" STRING
@@ -239,7 +264,9 @@ Item* Parser::include() {
 // head_item = IDENT ":" expr | IDENT "=" expr | head [ STRING ] body | head
 Item* Parser::head_item() {
     scene::NodeId node;
-    if (context_.use_literal_fast_path && literal_block(token_, node)) {
+    // The short cut trusts braces; the second run over a file does not.
+    const bool may_be_literal = context_.use_literal_fast_path && structure_ == Structure::braces;
+    if (may_be_literal && literal_block(token_, node)) {
         LiteralsItem* result =
             make_item<LiteralsItem>(ItemKind::literals, context_.scene.node(node).span);
         result->first_node = node.value;
@@ -253,6 +280,10 @@ Item* Parser::head_item() {
     const bool starts_value = next.kind == TokenKind::identifier ||
                               next.kind == TokenKind::number || next.kind == TokenKind::color ||
                               next.kind == TokenKind::kw_true || next.kind == TokenKind::kw_false;
+    if (is_on_line && next.kind == TokenKind::number && text_of(name) == "lrs") {
+        misplaced_version();
+        return nullptr;
+    }
     if (is_on_line && starts_value) return misplaced_name(name);
 
     NameExpr* head = make<NameExpr>(ExprKind::name, span_of(name));
@@ -281,7 +312,7 @@ Item* Parser::property() {
         result->value = error_expr(span_of(name));
         return result;
     }
-    result->value = expression();
+    result->value = value();
     result->span = span_from(name.offset);
     return result;
 }
@@ -306,6 +337,7 @@ Item* Parser::statement_expression(Expr* head) {
         foreign_operator(head);
         return nullptr;
     }
+    if (step_operator(*head)) return nullptr;
     if (head->kind == ExprKind::call) {
         CallItem* result = make_item<CallItem>(ItemKind::call, span);
         result->value = head;
@@ -313,24 +345,26 @@ Item* Parser::statement_expression(Expr* head) {
     }
     const std::string_view text = context_.sources.text(span);
     const BlockSchema* block = head->kind == ExprKind::name ? find_block(text) : nullptr;
+    if (token_.kind == TokenKind::string && continues_line()) advance();  // a label
+    if (read_block_without_brace(span)) return nullptr;
     if (block != nullptr) {
         error(Code::E0107, here(), fmt::format("expected `{{` after `{}`", text));
-        // A property on the next line, further in: the brace was forgotten, the body is there.
-        const bool has_body = token_.newline_before && token_.kind == TokenKind::identifier &&
-                              ahead().kind == TokenKind::colon &&
-                              line_indent(token_.offset) > line_indent(span.offset);
-        if (has_body) {
-            is_panicking_ = false;
-            is_structure_known_ = false;
-            openers_.push_back({span.offset, line_indent(span.offset)});
-            items(false);
-            openers_.pop_back();
-            if (token_.kind == TokenKind::right_brace) advance();
-        }
         return nullptr;
     }
-    error(Code::E0107, here(), fmt::format("expected `:`, `{{` or `=` after `{}`", text));
+    error(Code::E0107, here(), fmt::format("expected `:` or `{{` after `{}`", text));
     return nullptr;
+}
+
+// `i++` and `i--`.
+bool Parser::step_operator(const Expr& head) {
+    const bool is_sign = token_.kind == TokenKind::plus || token_.kind == TokenKind::minus;
+    const bool is_doubled = is_sign && ahead().kind == token_.kind && continues_line() &&
+                            ahead().offset == token_.end();
+    if (!is_doubled) return false;
+    error(
+        Code::E0112, lexer_.span(token_.offset, ahead().end()),
+        fmt::format("write `{0} = {0} {1} 1`", context_.sources.text(head.span), text_of(token_)));
+    return true;
 }
 
 // A name with a value behind it and nothing in between.
@@ -348,16 +382,7 @@ Item* Parser::misplaced_name(const Token& name) {
         is_panicking_ = false;
         return nullptr;
     }
-    if (next.kind == TokenKind::identifier && ahead().kind == TokenKind::colon && is_block) {
-        error(Code::E0107, here(), fmt::format("expected `{{` after `{}`", text));
-        is_panicking_ = false;
-        is_structure_known_ = false;
-        openers_.push_back({name.offset, line_indent(name.offset)});
-        items(false);
-        openers_.pop_back();
-        if (token_.kind == TokenKind::right_brace) advance();
-        return nullptr;
-    }
+    if (read_block_without_brace(span_of(name))) return nullptr;
     error(Code::E0107, here(), fmt::format("expected `:` after `{}`", text));
     return nullptr;
 }

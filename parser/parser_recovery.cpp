@@ -2,11 +2,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "parser/characters.h"
 #include "parser/parser_state.h"
 
 namespace lray::parser {
+
+namespace {
+
+/// True for ` name :`.
+bool begins_property(const char* at) {
+    while (is_a(*at, kBlank)) ++at;
+    if (!is_a(*at, kLetter)) return false;
+    while (is_a(*at, kLetter | kDigit)) ++at;
+    while (is_a(*at, kBlank)) ++at;
+    return *at == ':';
+}
+
+}  // namespace
 
 void Parser::advance() {
     previous_end_ = token_.end();
@@ -64,25 +78,32 @@ void Parser::too_deep(Span span) {
     lexer_.seek(static_cast<std::uint32_t>(lexer_.end() - lexer_.begin()));
 }
 
-// Skips to where the next item may begin: a separator, a `}`, or a line that starts like an item.
+// Skips to where the next item may begin: a `}`, a `;`, a line that starts like an item, or behind
+// a comma. With brackets intact every line begins an item, and every comma ends one.
 void Parser::synchronize() {
     is_panicking_ = false;
+    if (is_separated_) return;  // the next item is known already
+    const bool are_brackets_broken = std::exchange(has_broken_brackets_, false);
     bool is_first = true;
     while (token_.kind != TokenKind::end) {
         using enum TokenKind;
-        if (is_one_of(token_.kind, right_brace, comma, semicolon)) return;
-        if (is_opening(token_.kind)) {
-            if (token_.newline_before && !is_first) return;
-            skip_balanced();
-            is_first = false;
-            continue;
-        }
-        if (token_.newline_before) {
+        if (is_one_of(token_.kind, right_brace, semicolon)) return;
+        const bool may_start = token_.newline_before && !(is_first && is_opening(token_.kind));
+        if (may_start && (!are_brackets_broken || starts_item(token_, ahead()))) {
             is_separated_ = true;
             return;
         }
+        if (token_.kind == comma) {
+            if (!are_brackets_broken) return;
+            advance();
+            is_separated_ = starts_item(token_, ahead());
+            if (is_separated_) return;
+        } else if (is_opening(token_.kind) && (!are_brackets_broken || token_.kind == left_brace)) {
+            skip_balanced();
+        } else {
+            advance();
+        }
         is_first = false;
-        advance();
     }
 }
 
@@ -174,60 +195,136 @@ std::string Parser::describe(const Token& token) const {
     return fmt::format("`{}`", text_of(token));
 }
 
-// Expects the closing bracket; whatever stands there instead, the bracket counts as closed.
-void Parser::close(TokenKind closer, const Token& opener) {
-    if (is_ended_) return;
-    if (token_.kind == closer && !is_panicking_) {
+// Expects the closing bracket. Returns false if what the brackets hold is not to be trusted: then
+// the item they stand in is skipped.
+bool Parser::close(TokenKind closer, const Token& opener) {
+    has_broken_brackets_ = has_broken_brackets_ || is_panicking_;
+    if (is_ended_ || is_panicking_) return false;
+    if (token_.kind == closer) {
         advance();
-        return;
-    }
-    if (is_panicking_) {  // skip to the closer, if it is on this line
-        int depth = 0;
-        while (token_.kind != TokenKind::end && !token_.newline_before) {
-            if (token_.kind == closer && depth == 0) {
-                advance();
-                is_panicking_ = false;
-                return;
-            }
-            if (token_.kind == TokenKind::left_bracket || token_.kind == TokenKind::left_paren) {
-                ++depth;
-            } else if (token_.kind == TokenKind::right_bracket ||
-                       token_.kind == TokenKind::right_paren) {
-                if (depth-- == 0) return;
-            } else if (token_.kind == TokenKind::left_brace ||
-                       token_.kind == TokenKind::right_brace) {
-                return;
-            }
-            advance();
-        }
-        return;
+        return true;
     }
     const std::string_view wanted = closer == TokenKind::right_bracket ? "]" : ")";
+    const std::string missing =
+        fmt::format("expected `{}` to close `{}` at {}", wanted, text_of(opener), position(opener));
     const bool is_other_closer =
         token_.kind == TokenKind::right_bracket || token_.kind == TokenKind::right_paren;
     const bool is_next_item = token_.kind == TokenKind::end ||
                               token_.kind == TokenKind::right_brace || is_separated_ ||
                               starts_item_on_new_line();
     if (is_other_closer) {
-        error(Code::E0101, span_of(token_),
-              fmt::format("expected `{}` to close `{}` at {}, found `{}`", wanted, text_of(opener),
-                          position(opener), text_of(token_)))
+        error(Code::E0101, span_of(token_), fmt::format("{}, found `{}`", missing, text_of(token_)))
             .with_label(span_of(opener), "opened here");
-        advance();
-        is_panicking_ = false;
     } else if (is_next_item) {
-        error(Code::E0101, here(),
-              fmt::format("expected `{}` to close `{}` at {}", wanted, text_of(opener),
-                          position(opener)))
-            .with_label(span_of(opener), "opened here");
-        is_panicking_ = false;
+        error(Code::E0101, here(), missing).with_label(span_of(opener), "opened here");
+    } else if (token_.kind == TokenKind::comma) {  // of the list around `(a + b`, or of an index
+        error(Code::E0101, here(), missing).with_label(span_of(opener), "opened here");
+        is_panicking_ = bracket_depth_ == 0 || opener.kind == TokenKind::left_bracket;
     } else if (token_.kind == TokenKind::foreign) {
         foreign_operator(nullptr);
     } else {
         error(Code::E0106, span_of(token_),
               fmt::format("expected `,` or `{}`, found {}", wanted, describe(token_)));
-        close(closer, opener);
     }
+    has_broken_brackets_ = is_panicking_;
+    return false;
+}
+
+// True if a `)` or `]` further on in this line, but before the next property, has no opening one
+// from this token on.
+bool Parser::line_has_unopened_closer(const Token& from) const {
+    int brackets = 0;
+    int braces = 0;
+    bool is_string = false;
+    for (const char* at = lexer_.begin() + from.offset; at < lexer_.end(); ++at) {
+        if (*at == '\n' || *at == '\r' || (!is_string && at[0] == '/' && at[1] == '/')) break;
+        if (*at == '"') is_string = !is_string;
+        if (is_string) continue;
+        if (*at == '(' || *at == '[') ++brackets;
+        if ((*at == ')' || *at == ']') && --brackets < 0) return true;
+        if (*at == '{') ++braces;
+        if (*at == '}' && --braces < 0) return false;
+        if (*at == ',' && brackets == 0 && begins_property(at + 1)) return false;
+    }
+    return false;
+}
+
+// True if this line closes more braces behind the token than were opened in it: one was lost.
+bool Parser::line_closes_too_many_braces(const Token& from) const {
+    int braces = 0;
+    const char* const begin = lexer_.begin();
+    const char* line_begin = begin + from.offset;
+    while (line_begin > begin && line_begin[-1] != '\n' && line_begin[-1] != '\r') --line_begin;
+    for (const Opener& opener : openers_) braces += begin + opener.offset >= line_begin ? 1 : 0;
+    bool is_string = false;
+    for (const char* at = begin + from.offset; at < lexer_.end(); ++at) {
+        if (*at == '\n' || *at == '\r' || (!is_string && at[0] == '/' && at[1] == '/')) break;
+        if (*at == '"') is_string = !is_string;
+        if (!is_string && *at == '{') ++braces;
+        if (!is_string && *at == '}') --braces;
+    }
+    return braces < 0;
+}
+
+// After a value: `8, 8]`, whose `[` is missing, or `0, 1, 0`, which has no brackets at all. Returns
+// true when that was reported, and the rest of it skipped.
+bool Parser::skip_list_without_opener(const Expr& value) {
+    if (is_panicking_ || is_ended_) return false;
+    using enum TokenKind;
+    if (token_.newline_before && !is_one_of(token_.kind, right_bracket, right_paren)) return false;
+    if (is_one_of(token_.kind, right_brace, semicolon, end)) return false;
+    const bool has_closer = line_has_unopened_closer(token_);
+    const TokenKind next = token_.kind == comma ? ahead().kind : end;
+    const bool has_element = is_one_of(next, number, minus, plus, left_bracket, left_paren, string,
+                                       color, kw_true, kw_false);
+    if (!has_closer && !has_element) return false;
+    int depth = 0;
+    bool is_behind_comma = false;
+    while (!is_one_of(token_.kind, right_brace, semicolon, end)) {
+        const bool may_start_item = token_.newline_before || (is_behind_comma && !has_closer);
+        if (may_start_item && starts_item(token_, ahead())) break;
+        const bool is_closer = is_one_of(token_.kind, right_bracket, right_paren);
+        const bool is_complete = depth == 0 && !has_closer && !is_behind_comma && !is_closer;
+        if (is_complete && token_.newline_before) break;
+        if (is_one_of(token_.kind, left_bracket, left_paren)) ++depth;
+        if (is_closer && depth-- == 0) {
+            error(Code::E0104, span_of(token_), fmt::format("`{}` closes nothing", text_of(token_)))
+                .with_label(value.span, "perhaps an opening one is missing here");
+            advance();
+            is_panicking_ = false;
+            return true;
+        }
+        is_behind_comma = token_.kind == comma;
+        advance();
+    }
+    const Span written = span_from(value.span.offset);
+    std::string_view text = context_.sources.text(written);
+    while (!text.empty() && (text.back() == ',' || is_a(text.back(), kBlank)))
+        text.remove_suffix(1);
+    error(Code::E0109, written, "a list stands in brackets")
+        .with_hint(text.size() <= 40 ? fmt::format("write `[{}]`", text) : std::string());
+    is_separated_ = is_behind_comma;
+    is_panicking_ = false;
+    return true;
+}
+
+// After a name: the items of a block whose `{` is missing. Returns true when that was reported, and
+// the items read.
+bool Parser::read_block_without_brace(Span head) {
+    if (is_panicking_ || is_ended_ || token_.kind != TokenKind::identifier) return false;
+    const bool is_below = token_.newline_before && starts_item(token_, ahead()) &&
+                          line_indent(token_.offset) > line_indent(head.offset);
+    const bool is_beside = !token_.newline_before && ahead().kind == TokenKind::colon;
+    if (!is_below && !is_beside) return false;
+    error(Code::E0107, here(),
+          fmt::format("expected `{{` after `{}`", context_.sources.text(head)));
+    is_panicking_ = false;
+    is_structure_known_ = false;
+    openers_.push_back({head.offset, line_indent(head.offset)});
+    items(false);
+    openers_.pop_back();
+    if (token_.kind == TokenKind::right_brace) advance();
+    return true;
 }
 
 }  // namespace lray::parser

@@ -27,14 +27,17 @@ class Parser {
     Item* head_item();
     Item* property();
     Item* statement_expression(Expr* head);
+    bool step_operator(const Expr& head);
     Item* misplaced_name(const Token& name);
     Body body(std::string_view head);
     void version();
+    void misplaced_version();
     Item* future_statement();
     void bad_statement();
 
     // parser_expr.cpp
     Expr* expression();
+    Expr* value();
     Expr* binary(unsigned limit);
     Expr* unary();
     Expr* power();
@@ -65,7 +68,11 @@ class Parser {
     bool starts_item_on_new_line();
     bool is_dedented(const Token& token) const;
     bool closes_outer_block(const Token& token) const;
-    void close(TokenKind closer, const Token& opener);
+    bool close(TokenKind closer, const Token& opener);
+    bool line_has_unopened_closer(const Token& from) const;
+    bool line_closes_too_many_braces(const Token& from) const;
+    bool skip_list_without_opener(const Expr& value);
+    bool read_block_without_brace(Span head);
     std::uint32_t line_indent(std::uint32_t offset) const;
     std::string position(const Token& token) const;
     std::string describe(const Token& token) const;
@@ -114,7 +121,8 @@ class Parser {
     std::vector<IncludeItem*> includes_;
     std::uint32_t bracket_depth_ = 0;  // of ( and [ inside the innermost {
     std::uint32_t nesting_ = 0;
-    bool is_panicking_ = false;  // an error was reported in this item: skip to the next
+    bool is_panicking_ = false;         // an error was reported in this item: skip to the next
+    bool has_broken_brackets_ = false;  // it was one of ( ) [ ]: lines and commas mean nothing
     bool is_separated_ = false;  // recovery has already passed the separator of the next item
     bool is_structure_known_ = true;
     bool has_unclosed_ = false;

@@ -42,8 +42,9 @@ std::string range_in_words(const Range& range) {
 /// A value that is fitted to a property; remembers whether it was reported.
 class Fitting {
  public:
-    Fitting(const PropertySchema& property, const Value& value, Span span, Diagnostics& diagnostics)
-        : property_(property), value_(value), span_(span), diagnostics_(diagnostics) {}
+    Fitting(const PropertySchema& property, const Value& value, Span span, Diagnostics& diagnostics,
+            std::string_view name)
+        : property_(property), value_(value), span_(span), diagnostics_(diagnostics), name_(name) {}
 
     Value fit();
 
@@ -54,9 +55,10 @@ class Fitting {
         return Value::poison();
     }
     Value wrong_type(std::string_view wanted) {
-        return error(Code::E0301, fmt::format("`{}` needs {}, this is {}", property_.name, wanted,
-                                              describe(value_)));
+        return error(Code::E0301, fmt::format("`{}` needs {}, {} is {}", property_.name, wanted,
+                                              value_name(), describe(value_)));
     }
+    std::string value_name() const { return name_.empty() ? "this" : fmt::format("`{}`", name_); }
     Value out_of_range(double number) {
         return error(Code::E0304,
                      fmt::format("`{}` must be {}, this is {}", property_.name,
@@ -79,6 +81,7 @@ class Fitting {
     const Value& value_;
     Span span_;
     Diagnostics& diagnostics_;
+    std::string_view name_;
 };
 
 Value Fitting::ranged(const Value& value) {
@@ -104,8 +107,8 @@ Value Fitting::integer() {
 
 Value Fitting::vector(std::uint32_t size, std::string_view wanted) {
     if (value_.is(ValueKind::color)) {
-        return error(Code::E0309,
-                     fmt::format("`{}` needs {}, this is a colour", property_.name, wanted));
+        return error(Code::E0309, fmt::format("`{}` needs {}, {} is a colour", property_.name,
+                                              wanted, value_name()));
     }
     if (value_.is(ValueKind::numbers) && value_.count != size) {
         return error(Code::E0303, fmt::format("`{}` needs {} numbers, this has {}", property_.name,
@@ -315,9 +318,14 @@ bool is_complete(std::span<const PropertySchema> properties, const PropertyValue
     return true;
 }
 
-Value fit(const PropertySchema& property, const Value& value, Span span, Diagnostics& diagnostics) {
+Value fit(const PropertySchema& property, const Value& value, Span span, Diagnostics& diagnostics,
+          std::string_view name) {
     if (value.is(ValueKind::poison)) return value;
-    return Fitting(property, value, span, diagnostics).fit();
+    return Fitting(property, value, span, diagnostics, name).fit();
+}
+
+std::string_view name_of(const Expr& expr, const Sources& sources) {
+    return expr.kind == ExprKind::name ? sources.text(expr.span) : std::string_view{};
 }
 
 }  // namespace lray::parser

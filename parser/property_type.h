@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostics.h"
+#include "parser/ast.h"
 #include "parser/property_values.h"
 #include "parser/schema.h"
 #include "parser/value.h"
@@ -18,6 +19,11 @@ bool is_complete(std::span<const PropertySchema> properties, const PropertyValue
 /// Errors: E0301 type, E0303 size, E0304 range, E0308 not whole, E0309 colour as point, E0310
 /// scale 0, E0403 unknown option; warns W1403 of colours that look like 0 to 255. All at `span`.
 /// Poison stays poison, in silence.
-Value fit(const PropertySchema& property, const Value& value, Span span, Diagnostics& diagnostics);
+/// `name` is what the value is called where it is a plain name, for messages.
+Value fit(const PropertySchema& property, const Value& value, Span span, Diagnostics& diagnostics,
+          std::string_view name = {});
+
+/// Returns the name that an expression consists of; empty if it is anything else.
+std::string_view name_of(const Expr& expr, const Sources& sources);
 
 }  // namespace lray::parser

@@ -109,6 +109,8 @@ struct Token {
     TokenKind kind = TokenKind::end;
     bool newline_before = false;  // a line end stands between it and the token before
     bool has_unit = false;        // a number with a suffix
+    std::uint8_t quote_size =
+        1;  // bytes of a string's opening quote; each of its quotes has as many
     std::uint32_t offset = 0;
     std::uint32_t length = 0;
     double number = 0.0;        // of a number, in degrees or metres where it has a unit

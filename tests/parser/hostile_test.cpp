@@ -134,7 +134,7 @@ TEST(HostileText, MutatedExamplesEndInASceneOrInErrors) {
         const std::string& name = examples.names()[random.below(examples.names().size())];
         std::string text = examples.text(name);
         const std::uint64_t count = 1 + random.below(8);
-        for (std::uint64_t k = 0; k < count; ++k) {
+        for (std::uint64_t k = 0; k < count && !text.empty(); ++k) {
             const std::size_t at = random.below(text.size());
             const std::size_t size = random.below(20);
             switch (random.below(5)) {

@@ -204,10 +204,13 @@ constexpr std::array kMessageOptions{
 };
 
 constexpr std::array kLimitOptions{
-    OptionSpec{"max-nesting", "N", "brackets and blocks inside one another",
-               [](Options& o, Value v) { return store_number(o.load_limits.nesting, v, 1, kMaxDepth); }},
+    OptionSpec{
+        "max-nesting", "N", "brackets and blocks inside one another",
+        [](Options& o, Value v) { return store_number(o.load_limits.nesting, v, 1, kMaxDepth); }},
     OptionSpec{"max-include-depth", "N", "files that include one another",
-               [](Options& o, Value v) { return store_number(o.load_limits.include_depth, v, 0, kMaxDepth); }},
+               [](Options& o, Value v) {
+                   return store_number(o.load_limits.include_depth, v, 0, kMaxDepth);
+               }},
     OptionSpec{"max-files", "N", "files of a scene",
                [](Options& o, Value v) { return store_number(o.load_limits.files, v, 1); }},
     OptionSpec{"max-scene-bytes", "N", "size of a scene file",

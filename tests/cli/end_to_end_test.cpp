@@ -367,7 +367,9 @@ TEST_F(EndToEnd, OutputThatCannotBeWrittenExits4) {
     directory_.write("scene.lrs", kScene);
     const auto nowhere = run({"scene.lrs", "-o", "no/such/place.ppm"});
     EXPECT_EQ(nowhere.exit_code, 4);
-    EXPECT_TRUE(contains(nowhere.err, "lray: cannot write `no/such/place.ppm`: there is no directory")) << nowhere.err;
+    EXPECT_TRUE(
+        contains(nowhere.err, "lray: cannot write `no/such/place.ppm`: there is no directory"))
+        << nowhere.err;
     const auto full = run({"scene.lrs", "-o", "/dev/full", "--format", "ppm"});
     EXPECT_EQ(full.exit_code, 4);
     EXPECT_TRUE(contains(full.err, "/dev/full")) << full.err;

@@ -1,0 +1,221 @@
+// Every limit of loading: what is one below it and at it passes, what is one above does not.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/parser/loaded.h"
+
+namespace lray::test {
+namespace {
+
+std::string repeated(std::string_view text, std::size_t count) {
+    std::string result;
+    for (std::size_t i = 0; i < count; ++i) result += text;
+    return result;
+}
+
+/// Scenes of a form grow with their number; some size is the last that a limit lets pass.
+struct NestingForm {
+    const char* name;
+    std::function<std::string(std::size_t)> make;
+};
+
+const std::vector<NestingForm> kNestingForms = {
+    {"parentheses",
+     [](std::size_t n) { return "let x = " + repeated("(", n) + "1" + repeated(")", n); }},
+    {"lists",
+     [](std::size_t n) { return "let x = " + repeated("[", n) + "true" + repeated("]", n); }},
+    {"number lists",
+     [](std::size_t n) { return "let x = " + repeated("[", n) + "1" + repeated("]", n); }},
+    {"groups", [](std::size_t n) { return repeated("group {", n) + repeated("}", n); }},
+    {"signs", [](std::size_t n) { return "let x = " + repeated("-", n) + "1"; }},
+    {"separated signs", [](std::size_t n) { return "let x = " + repeated("- ", n) + "1"; }},
+    {"not", [](std::size_t n) { return "let x = " + repeated("not ", n) + "true"; }},
+    {"sums", [](std::size_t n) { return "let x = 1" + repeated(" + 1", n); }},
+    {"powers", [](std::size_t n) { return "let x = 1" + repeated(" ^ 1", n); }},
+    {"choices",
+     [](std::size_t n) { return "let x = " + repeated("if true then 1 else ", n) + "1"; }},
+    {"calls",
+     [](std::size_t n) { return "let x = " + repeated("abs(", n) + "1" + repeated(")", n); }},
+    {"indices",
+     [](std::size_t n) {
+         return "let a = [0]\nlet x = a" + repeated("[a", n) + repeated("[0]]", n);
+     }},
+    {"fields", [](std::size_t n) { return "let a = material { }\nlet x = a" + repeated(".b", n); }},
+    {"derived blocks",
+     [](std::size_t n) { return "let a = material { }\nlet x = a" + repeated(" { }", n); }},
+};
+
+TEST(NestingLimit, HoldsForEveryFormOfDepth) {
+    parser::LoadLimits limits;
+    limits.nesting = 40;
+    for (const NestingForm& form : kNestingForms) {
+        std::size_t last_fitting = 0;
+        for (std::size_t n = 1; n <= 2 * limits.nesting; ++n) {
+            const std::string codes = load_text(form.make(n), limits).codes();
+            const bool is_too_deep = codes.find("E0115") != codes.npos;
+            if (is_too_deep) {
+                EXPECT_EQ(codes, "E0115") << form.name << " " << n;
+            } else {
+                EXPECT_EQ(last_fitting + 1, n) << form.name << ": once too deep, always too deep";
+                last_fitting = n;
+            }
+        }
+        EXPECT_GE(last_fitting, limits.nesting / 4) << form.name;
+        EXPECT_LE(last_fitting, limits.nesting) << form.name;
+    }
+}
+
+TEST(NestingLimit, IsExactForBracketsAndGroups) {
+    parser::LoadLimits limits;
+    for (const std::uint32_t nesting : {9u, 10u, 11u}) {
+        limits.nesting = nesting;
+        const bool fits = nesting >= 10;
+        // The value is a level, and each bracket one more.
+        EXPECT_EQ(
+            load_text("let x = " + repeated("(", 9) + "1" + repeated(")", 9), limits).has_errors(),
+            !fits);
+        EXPECT_EQ(load_text(repeated("group { ", 10) + repeated("}", 10), limits).has_errors(),
+                  !fits);
+        EXPECT_EQ(load_text("let x = 1" + repeated(" + 1", 9), limits).has_errors(), !fits);
+    }
+}
+
+TEST(NestingLimit, HoldsAgainstALongScene) {
+    for (const NestingForm& form : kNestingForms) {
+        EXPECT_EQ(load_text(form.make(100'000)).codes(), "E0115") << form.name;
+    }
+}
+
+TEST(NestingLimit, IsNoLimitOfLength) {
+    EXPECT_FALSE(load_text("let x = [" + repeated("1 + 1, ", 10'000) + "]").has_errors());
+    EXPECT_FALSE(load_text(repeated("group { }\n", 10'000)).has_errors());
+}
+
+TEST(IncludeLimits, DepthIsCountedFromTheMainFile) {
+    const std::vector<Companion> chain = {
+        {"a.lrs", "include \"b.lrs\""}, {"b.lrs", "include \"c.lrs\""}, {"c.lrs", "sphere { }"}};
+    for (const std::uint32_t depth : {2u, 3u, 4u}) {
+        parser::LoadLimits limits;
+        limits.include_depth = depth;
+        const Loaded loaded = load_text("include \"a.lrs\"", limits, chain);
+        EXPECT_EQ(loaded.codes(), depth < 3 ? "E0515" : "W1501");
+        EXPECT_EQ(loaded.diagnostics.has_limit_errors(), depth < 3);
+    }
+}
+
+TEST(IncludeLimits, FilesAreCountedWithMeshesAndTheMainFile) {
+    const std::vector<Companion> files = {{"a.lrs", "sphere { }"},
+                                          {"m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}};
+    for (const std::uint32_t count : {2u, 3u, 4u}) {
+        parser::LoadLimits limits;
+        limits.files = count;
+        EXPECT_EQ(load_text("include \"a.lrs\"\nmesh { file: \"m.obj\" }", limits, files).codes(),
+                  count < 3 ? "E0515" : "W1501");
+    }
+}
+
+TEST(SizeLimits, AFileMayBeAsLargeAsItsLimit) {
+    const std::string scene = "include \"a.lrs\"\nmesh { file: \"m.obj\" }\n";
+    const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const std::string part = "sphere { }\n";
+    for (const int more : {-1, 0, 1}) {
+        parser::LoadLimits limits;
+        limits.scene_bytes = static_cast<std::uint64_t>(static_cast<int>(scene.size()) + more);
+        EXPECT_EQ(load_text(scene, limits, {{"a.lrs", part}, {"m.obj", mesh}}).codes(),
+                  more < 0 ? "E0516" : "W1501");
+        limits = {};
+        limits.mesh_bytes = static_cast<std::uint64_t>(static_cast<int>(mesh.size()) + more);
+        EXPECT_EQ(load_text(scene, limits, {{"a.lrs", part}, {"m.obj", mesh}}).codes(),
+                  more < 0 ? "E0516" : "W1501");
+        limits = {};
+        const std::string long_part = part + repeated(" ", scene.size());
+        limits.scene_bytes = static_cast<std::uint64_t>(static_cast<int>(long_part.size()) + more);
+        EXPECT_EQ(load_text(scene, limits, {{"a.lrs", long_part}, {"m.obj", mesh}}).codes(),
+                  more < 0 ? "E0516" : "W1501");
+    }
+}
+
+TEST(StepLimit, EachExpressionIsAStep) {
+    // Two numbers and their sum, and a name.
+    const std::string scene = "let a = 1 + 2\nlet b = a\nsphere { }";
+    for (const std::uint64_t steps : {3u, 4u, 5u}) {
+        parser::LoadLimits limits;
+        limits.steps = steps;
+        EXPECT_EQ(load_text(scene, limits).codes(), steps < 4 ? "E0512" : "W1501");
+    }
+}
+
+TEST(StepLimit, LongListsCostTheirLength) {
+    const std::string list = "let a = [" + repeated("1, ", 1000) + "]\n";
+    parser::LoadLimits limits;
+    limits.steps = 900;
+    EXPECT_EQ(load_text(list + "sphere { }", limits).codes(), "W1501");
+    EXPECT_EQ(load_text(list + "let b = a + a\nsphere { }", limits).codes(), "E0512");
+    EXPECT_EQ(load_text(list + "let b = a == a\nsphere { }", limits).codes(), "E0512");
+    EXPECT_EQ(load_text(list + "let b = sqrt(a)\nsphere { }", limits).codes(), "E0512");
+    EXPECT_EQ(load_text(list + "let b = -a\nsphere { }", limits).codes(), "E0512");
+}
+
+TEST(StepLimit, EndsTheComparisonOfWhatGrowsByDoubling) {
+    std::string scene = "let a0 = [1, true]\nlet b0 = [1, true]\n";
+    for (int i = 1; i <= 40; ++i) {
+        scene += fmt::format("let a{0} = [a{1}, a{1}]\nlet b{0} = [b{1}, b{1}]\n", i, i - 1);
+    }
+    parser::LoadLimits limits;
+    limits.steps = 1'000'000;
+    EXPECT_EQ(load_text(scene + "let c = a40 == b40", limits).codes(), "E0512");
+}
+
+TEST(StepLimit, ListsNestedByNameAreComparedWithoutRecursion) {
+    std::string scene = "let a0 = [1, true]\nlet b0 = [1, true]\n";
+    for (int i = 1; i <= 60'000; ++i) {
+        scene += fmt::format("let a{0} = [a{1}]\nlet b{0} = [b{1}]\n", i, i - 1);
+    }
+    scene += "sphere { radius: if a60000 == b60000 then 2 else 1 }";
+    const Loaded loaded = load_text(scene);
+    ASSERT_TRUE(loaded.scene.has_value()) << loaded.text();
+    EXPECT_EQ(loaded.scene->spheres[0].radius, 2.0);
+}
+
+TEST(ValueLimit, StringsCountTheirBytes) {
+    // 10 + 10 and 20 + 10 bytes.
+    const std::string scene = "let a = \"0123456789\"\nlet b = a + a\nlet c = b + a\nsphere { }";
+    for (const std::uint64_t bytes : {49u, 50u, 51u}) {
+        parser::LoadLimits limits;
+        limits.value_bytes = bytes;
+        EXPECT_EQ(load_text(scene, limits).codes(), bytes < 50 ? "E0516" : "W1501");
+    }
+}
+
+TEST(ValueLimit, WhateverCanBeCopiedCounts) {
+    parser::LoadLimits limits;
+    limits.value_bytes = 100'000;
+    const std::string numbers = "let a = [" + repeated("1, ", 1000) + "]\n";
+    EXPECT_EQ(
+        load_text(numbers + repeated("a + 1, ", 0) + "let b = [" + repeated("a + 1, ", 20) + "]",
+                  limits)
+            .codes(),
+        "E0516");
+    EXPECT_EQ(load_text(numbers + "let b = [" + repeated("sqrt(a), ", 20) + "]", limits).codes(),
+              "E0516");
+    std::string groups =
+        "let s = sphere { }\nlet g = group {\n" + repeated("s { }\n", 1000) + "}\n";
+    for (int i = 0; i < 40; ++i) groups += fmt::format("let g{} = g {{ }}\n", i);
+    EXPECT_EQ(load_text(groups, limits).codes(), "E0516");
+    const std::string text = "let s = \"" + repeated("x", 10'000) + "\"\n";
+    std::string info = "info {\n";
+    for (int i = 0; i < 20; ++i) info += fmt::format("a{}: s\n", i);
+    EXPECT_EQ(load_text(text + info + "}", limits).codes(), "E0516");
+    const std::string points = "let p = [" + repeated("[0, 0, 0], ", 1000) + "]\n";
+    EXPECT_EQ(
+        load_text(points + repeated("mesh { positions: p, triangles: [[0, 1, 2]] }\n", 20), limits)
+            .codes(),
+        "E0516");
+}
+
+}  // namespace
+}  // namespace lray::test

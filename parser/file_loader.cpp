@@ -28,35 +28,34 @@ std::string_view other_mesh_format(std::string_view path) {
 }  // namespace
 
 std::optional<SourceId> FileLoader::main_scene(std::string_view path) {
-    return add(files_.read_main(path, limits_.scene_bytes), path, Span{}, limits_.scene_bytes,
-               "--max-scene-bytes");
+    return add(files_.read_main(path, scene_limit_.bytes), {path, Span{}, Span{}, scene_limit_});
 }
 
 std::optional<SourceId> FileLoader::scene(std::string_view path, SourceId from, Span span) {
-    return read(path, from, span, limits_.scene_bytes, "--max-scene-bytes");
+    return read({path, span, span, scene_limit_}, from);
 }
 
-std::optional<SourceId> FileLoader::read(std::string_view path, SourceId from, Span span,
-                                         std::uint64_t max_size, std::string_view limit_flag) {
+std::optional<SourceId> FileLoader::read(const Request& request, SourceId from) {
     if (sources_.count() >= limits_.files || sources_.is_full()) {
-        diagnostics_.error(Code::E0515, span, fmt::format("more than {} files", limits_.files))
+        diagnostics_
+            .error(Code::E0515, request.span, fmt::format("more than {} files", limits_.files))
             .with_help("raise the limit with `--max-files N`");
         return std::nullopt;
     }
-    if (path.empty()) {
-        diagnostics_.error(Code::E0601, span, "the file name is empty");
+    if (request.path.empty()) {
+        diagnostics_.error(Code::E0601, request.span, "the file name is empty");
         return std::nullopt;
     }
-    return add(files_.read(path, directories_[from], max_size), path, span, max_size, limit_flag);
+    return add(files_.read(request.path, directories_[from], request.limit.bytes), request);
 }
 
-std::optional<SourceId> FileLoader::add(ReadResult result, std::string_view written, Span span,
-                                        std::uint64_t max_size, std::string_view limit_flag) {
+std::optional<SourceId> FileLoader::add(ReadResult result, const Request& request) {
+    const Span span = request.span;
     // Offsets into a source are 32 bits wide.
     const bool is_addressable = result.text.size() <= 0xffffffffu - Text::kPadding;
     if (result.status == ReadStatus::ok && !is_addressable) result.status = ReadStatus::too_large;
     if (result.status != ReadStatus::ok) {
-        report(result, written, span, max_size, limit_flag);
+        report(result, request);
         return std::nullopt;
     }
     if (result.used_backslash) {
@@ -69,13 +68,15 @@ std::optional<SourceId> FileLoader::add(ReadResult result, std::string_view writ
     } else if (result.is_absolute && !span.is_nowhere()) {
         diagnostics_.warning(Code::W1605, span, "an absolute path works on this machine only");
     }
-    const SourceId id = sources_.add(std::move(result.path), std::move(result.text), span);
+    const SourceId id =
+        sources_.add(std::move(result.path), std::move(result.text), request.included_from);
     directories_[id] = std::move(result.directory);
     return id;
 }
 
-void FileLoader::report(const ReadResult& result, std::string_view written, Span span,
-                        std::uint64_t max_size, std::string_view limit_flag) {
+void FileLoader::report(const ReadResult& result, const Request& request) {
+    const Span span = request.span;
+    const std::string_view written = request.path;
     switch (result.status) {
         case ReadStatus::ok:
             return;
@@ -109,8 +110,8 @@ void FileLoader::report(const ReadResult& result, std::string_view written, Span
         case ReadStatus::too_large:
             diagnostics_
                 .error(Code::E0516, span,
-                       fmt::format("`{}` is larger than {} bytes", written, max_size))
-                .with_help(fmt::format("raise the limit with `{} N`", limit_flag));
+                       fmt::format("`{}` is larger than {} bytes", written, request.limit.bytes))
+                .with_help(fmt::format("raise the limit with `{} N`", request.limit.flag));
             return;
         case ReadStatus::unreadable:
             diagnostics_.error(Code::E0604, span,
@@ -131,8 +132,7 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
             .with_help("save the mesh as OBJ");
         return std::nullopt;
     }
-    const std::optional<SourceId> file =
-        read(path, from, span, limits_.mesh_bytes, "--max-mesh-bytes");
+    const std::optional<SourceId> file = read({path, span, Span{}, mesh_limit_}, from);
     if (!file) return std::nullopt;
     const std::size_t errors_before = diagnostics_.error_count() + diagnostics_.warning_count();
     std::optional<scene::Mesh> mesh = scene::read_obj(sources_, *file, span, diagnostics_);

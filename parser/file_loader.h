@@ -17,12 +17,7 @@
 
 namespace lray::parser {
 
-/// A file that was read and now is a source.
-struct LoadedSource {
-    SourceId id = kNoSource;
-    std::string path{};
-};
-
+/// Turns names in a scene into sources and meshes, once per run for each mesh.
 class FileLoader {
  public:
     FileLoader(FileAccess& files, Sources& sources, const LoadLimits& limits,
@@ -42,16 +37,28 @@ class FileLoader {
                                       scene::Scene& scene);
 
  private:
-    std::optional<SourceId> read(std::string_view path, SourceId from, Span span,
-                                 std::uint64_t max_size, std::string_view limit_flag);
-    std::optional<SourceId> add(ReadResult result, std::string_view written, Span span,
-                                std::uint64_t max_size, std::string_view limit_flag);
-    void report(const ReadResult& result, std::string_view written, Span span,
-                std::uint64_t max_size, std::string_view limit_flag);
+    struct SizeLimit {
+        std::uint64_t bytes = 0;
+        std::string_view flag{};
+    };
+
+    /// A file that is named at `span`, and part of what stands at `included_from`, if anywhere.
+    struct Request {
+        std::string_view path{};
+        Span span{};
+        Span included_from{};
+        SizeLimit limit{};
+    };
+
+    std::optional<SourceId> read(const Request& request, SourceId from);
+    std::optional<SourceId> add(ReadResult result, const Request& request);
+    void report(const ReadResult& result, const Request& request);
 
     FileAccess& files_;
     Sources& sources_;
     LoadLimits limits_;
+    SizeLimit scene_limit_{limits_.scene_bytes, "--max-scene-bytes"};
+    SizeLimit mesh_limit_{limits_.mesh_bytes, "--max-mesh-bytes"};
     Diagnostics& diagnostics_;
     std::map<SourceId, std::string> directories_;
     std::map<std::pair<std::string, std::string>, std::optional<scene::MeshId>> meshes_;

@@ -174,11 +174,13 @@ Expr* Parser::power() {
 
 // postfix = primary { "." IDENT | "[" expr "]" | "(" [ args ] ")" | [ STRING ] body }
 Expr* Parser::postfix() {
+    const bool is_grouped = token_.kind == TokenKind::left_paren;
     Expr* object = primary();
-    return is_panicking_ ? object : postfix_of(object);
+    return is_panicking_ ? object : postfix_of(object, is_grouped);
 }
 
-Expr* Parser::postfix_of(Expr* object) {
+// What follows a primary: an index may follow what stands in parentheses, too.
+Expr* Parser::postfix_of(Expr* object, bool is_grouped) {
     while (!is_panicking_) {
         const bool is_head = object->kind == ExprKind::name || object->kind == ExprKind::member ||
                              object->kind == ExprKind::index || object->kind == ExprKind::call ||
@@ -204,7 +206,7 @@ Expr* Parser::postfix_of(Expr* object) {
             made->name = name.symbol;
             made->name_span = span_of(name);
             object = made;
-        } else if (token_.kind == TokenKind::left_bracket && (is_head || is_list)) {
+        } else if (token_.kind == TokenKind::left_bracket && (is_head || is_list || is_grouped)) {
             const Token opener = token_;
             ++bracket_depth_;
             advance();

@@ -42,7 +42,7 @@ class Parser {
     Expr* unary();
     Expr* power();
     Expr* postfix();
-    Expr* postfix_of(Expr* object);
+    Expr* postfix_of(Expr* object, bool is_grouped = false);
     Expr* primary();
     Expr* conditional();
     Expr* list();

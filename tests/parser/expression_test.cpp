@@ -101,6 +101,12 @@ TEST(Lists, ElementsAndFieldsAreRead) {
     EXPECT_EQ(number_of("r.size.y", "let r = rectangle { size: [3, 4] }"), 4.0);
 }
 
+TEST(Lists, WhatStandsInParenthesesHasElementsAndFields) {
+    EXPECT_EQ(number_of("(v * 2)[1]", "let v = [1, 2, 3]"), 4);
+    EXPECT_EQ(number_of("(v + v).z", "let v = [1, 2, 3]"), 6);
+    EXPECT_EQ(number_of("([[1, 2], [3, 4]])[1][0]"), 3);
+}
+
 TEST(Lists, TrailingCommasAndLineBreaksAreAllowed) {
     EXPECT_EQ(vec3_of("[1, 2, 3,]"), DVec3(1, 2, 3));
     EXPECT_EQ(vec3_of("[\n1,\n2\n,\n3\n]"), DVec3(1, 2, 3));

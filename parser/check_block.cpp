@@ -133,6 +133,11 @@ void BlockCheck::set_once(Span& first, Span now, std::string_view name) {
 }
 
 void BlockCheck::unknown_property(const PropertyItem& item, std::string_view name) {
+    if (is_not_yet_available(schema_.kind, name)) {
+        error(Code::E0120, item.name_span,
+              fmt::format("`{}` is not available in this version of lray", name));
+        return;
+    }
     std::vector<std::string_view> names;
     for (const PropertySchema& property : schema_.properties) names.push_back(property.name);
     if (schema_.is_placeable) {

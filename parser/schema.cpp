@@ -54,6 +54,33 @@ constexpr std::array<Habit, 12> kBlockHabits = {{
     {"pigment", "material"},
 }};
 
+/// A property of the language that this version does not have.
+struct FutureProperty {
+    BlockKind block{};
+    std::string_view name{};
+};
+
+constexpr std::array<FutureProperty, 18> kPropertiesNotYet = {{
+    {BlockKind::render, "samples"},
+    {BlockKind::render, "max_depth"},
+    {BlockKind::render, "ambient"},
+    {BlockKind::render, "exposure"},
+    {BlockKind::render, "tonemap"},
+    {BlockKind::render, "gamma"},
+    {BlockKind::render, "seed"},
+    {BlockKind::render, "integrator"},
+    {BlockKind::render, "sampler"},
+    {BlockKind::render, "transparent_shadows"},
+    {BlockKind::camera, "aperture"},
+    {BlockKind::camera, "focus"},
+    {BlockKind::camera, "samples"},
+    {BlockKind::camera, "exposure"},
+    {BlockKind::mesh, "smooth"},
+    {BlockKind::mesh, "use_mtl"},
+    {BlockKind::material, "bump"},
+    {BlockKind::material, "normal_map"},
+}};
+
 constexpr std::array<std::string_view, 44> kNotYet = {{
     "torus",
     "heightfield",
@@ -140,6 +167,13 @@ std::string_view property_habit(std::string_view name) {
 
 std::string_view block_habit(std::string_view name) {
     return find_habit(kBlockHabits, name);
+}
+
+bool is_not_yet_available(BlockKind block, std::string_view property) {
+    return std::any_of(kPropertiesNotYet.begin(), kPropertiesNotYet.end(),
+                       [&](const FutureProperty& future) {
+                           return future.block == block && future.name == property;
+                       });
 }
 
 bool is_not_yet_available(std::string_view name) {

@@ -166,4 +166,7 @@ std::string_view block_habit(std::string_view name);
 /// True for a block or function of the language that this version does not have.
 bool is_not_yet_available(std::string_view name);
 
+/// True for a property of the language that this version does not have in this block.
+bool is_not_yet_available(BlockKind block, std::string_view property);
+
 }  // namespace lray::parser

@@ -378,7 +378,7 @@ TEST_F(EndToEnd, OutputThatCannotBeWrittenExits4) {
 
 TEST_F(EndToEnd, StdoutThatIsFullOrClosedExits4) {
     directory_.write("scene.lrs", kScene);
-    const std::string lray = LRAY_BINARY;
+    const std::string lray = std::string("'") + LRAY_BINARY + "'";
     for (const std::string arguments : {" --help", " scene.lrs -o -"}) {
         const auto full = test::run_process({"/bin/sh", "-c", lray + arguments + " >/dev/full"}, {},
                                             directory_.path());

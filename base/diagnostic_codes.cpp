@@ -296,8 +296,8 @@ constexpr CodeInfo kInfos[] = {
  "// level1.lrs, which includes level2.lrs, and so on to level65.lrs\ninclude \"level2.lrs\"",
  "include \"level2.lrs\"\ninclude \"level3.lrs\""},
 {LRAY_CODE(E0516), "out of memory, or file too large",
- "A file is larger than its limit (--max-scene-bytes, --max-mesh-bytes), or the values of the scene "
- "take more memory than theirs (--max-value-bytes).",
+ "The files of the scene together are larger than their limit (--max-scene-bytes, "
+ "--max-mesh-bytes), or its values take more memory than theirs (--max-value-bytes).",
  "mesh { file: \"whole-city.obj\" }  // 9 GiB",
  "mesh { file: \"one-street.obj\" }"},
 

@@ -61,6 +61,7 @@ struct Diagnostic {
 class Diagnostics {
  public:
     static constexpr std::size_t kMaxKept = 10000;
+    static constexpr std::size_t kMaxHinted = 100;
 
     /// The returned diagnostic takes hints, labels, notes and helps; the reference is valid until
     /// the next report.
@@ -73,6 +74,10 @@ class Diagnostics {
     std::size_t error_count() const { return error_count_; }
     std::size_t warning_count() const { return warning_count_; }
     bool has_errors() const { return error_count_ > 0; }
+
+    /// False once there are so many errors that nobody reads the hints of more: a search for a name
+    /// that was meant looks at all names there are.
+    bool takes_hints() const { return error_count_ <= kMaxHinted; }
 
     /// True if an error was a limit or memory (exit code 3).
     bool has_limit_errors() const { return has_limit_errors_; }

@@ -55,15 +55,16 @@ std::vector<std::string_view> nearest_names(std::string_view name,
         const std::size_t distance = edit_distance(name, candidate, limit);
         // Replacing all of a short name is no resemblance: `x` is not near `y`.
         if (distance > limit || distance >= std::max(name.size(), candidate.size())) continue;
-        const bool is_known = std::any_of(found.begin(), found.end(),
-                                          [&](const Near& n) { return n.name == candidate; });
-        if (!is_known) found.push_back({distance, candidate});
+        found.push_back({distance, candidate});
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Near& a, const Near& b) { return a.distance < b.distance; });
-    if (found.size() > kMaxNames) found.resize(kMaxNames);
     std::vector<std::string_view> names;
-    for (const Near& near : found) names.push_back(near.name);
+    for (const Near& near : found) {
+        if (names.size() == kMaxNames) break;
+        const bool is_known = std::find(names.begin(), names.end(), near.name) != names.end();
+        if (!is_known) names.push_back(near.name);
+    }
     return names;
 }
 

@@ -1,5 +1,5 @@
 // The syntax tree. Nodes live in an Arena and are plain data; the checker fills in what names
-// mean. Trees are at most as deep as the nesting limit, so passes over them may recurse.
+// mean, and refuses trees deeper than the nesting limit, so passes over them may recurse.
 #pragma once
 
 #include <cstdint>

@@ -26,11 +26,12 @@ constexpr std::size_t kUvs = slot(kMesh, "uvs");
 
 std::optional<std::uint32_t> find_part(const scene::Mesh& mesh, std::string_view name, Span span,
                                        Diagnostics& diagnostics) {
-    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
-        if (mesh.parts[i].name == name) return static_cast<std::uint32_t>(i);
-    }
+    const std::span<const std::uint32_t> parts = scene::parts_named(mesh, name);
+    if (!parts.empty()) return parts.front();
     std::vector<std::string_view> names;
-    for (const scene::MeshPart& part : mesh.parts) names.push_back(part.name);
+    if (diagnostics.takes_hints()) {
+        for (const scene::MeshPart& part : mesh.parts) names.push_back(part.name);
+    }
     diagnostics.error(Code::E0403, span, fmt::format("this mesh has no part `{}`", name))
         .with_hint(did_you_mean(name, names));
     return std::nullopt;

@@ -41,8 +41,14 @@ struct Scope {
 
 class Checker {
  public:
-    Checker(const Symbols& symbols, const Sources& sources, Arena& arena, Diagnostics& diagnostics)
-        : symbols_(symbols), sources_(sources), arena_(arena), diagnostics_(diagnostics) {}
+    Checker(const Symbols& symbols, const Sources& sources, std::uint32_t max_nesting, Arena& arena,
+            Diagnostics& diagnostics)
+        : symbols_(symbols),
+          sources_(sources),
+          max_nesting_(max_nesting),
+          is_too_deep_(diagnostics.has_limit_errors()),
+          arena_(arena),
+          diagnostics_(diagnostics) {}
 
     Checked check(std::span<Item* const> list) {
         open_scope(list);
@@ -60,13 +66,16 @@ class Checker {
     void call_item(const CallItem& item);
     void top_level_block(const BlockExpr& block, const BlockSchema& schema);
 
+    bool fits_nesting(Span span);
     void expression(Expr& expr);
+    void parts_of(Expr& expr);
     void name(NameExpr& expr, bool is_block_head);
     void unknown_name(const NameExpr& expr, bool is_block_head);
     void call(const CallExpr& expr);
     std::string as_properties(const CallExpr& expr) const;
     void arguments(const CallExpr& expr, const Builtin& builtin);
     void block(BlockExpr& expr, bool is_placed);
+    void head_and_body(BlockExpr& expr, bool is_placed);
     void value_of(const PropertySchema& property, const Expr& expr);
     const BlockSchema* schema_of(const Expr& expr) const;
 
@@ -80,6 +89,9 @@ class Checker {
 
     const Symbols& symbols_;
     const Sources& sources_;
+    std::uint32_t max_nesting_ = 0;
+    std::uint32_t nesting_ = 0;
+    bool is_too_deep_ = false;  // reported, here or by the parser
     Arena& arena_;
     Diagnostics& diagnostics_;
     Checked checked_;
@@ -326,6 +338,12 @@ const BlockSchema* Checker::schema_of(const Expr& expr) const {
 }
 
 void Checker::block(BlockExpr& expr, bool is_placed) {
+    ++nesting_;
+    if (fits_nesting(expr.head->span)) head_and_body(expr, is_placed);
+    --nesting_;
+}
+
+void Checker::head_and_body(BlockExpr& expr, bool is_placed) {
     Expr& head = *expr.head;
     if (head.kind == ExprKind::name) {
         name(static_cast<NameExpr&>(head), true);
@@ -351,7 +369,27 @@ void Checker::block(BlockExpr& expr, bool is_placed) {
     close_scope();
 }
 
+// The parser bounds each chain and each nest, but not chains in blocks in chains, nor the files
+// included in them.
+bool Checker::fits_nesting(Span span) {
+    if (nesting_ <= max_nesting_) return true;
+    if (!is_too_deep_) {
+        diagnostics_
+            .error(Code::E0115, span, fmt::format("nested more than {} levels deep", max_nesting_))
+            .with_help("raise the limit with `--max-nesting N`, or name parts with `let`");
+    }
+    is_too_deep_ = true;
+    return false;
+}
+
 void Checker::expression(Expr& expr) {
+    if (expr.kind == ExprKind::block) return block(static_cast<BlockExpr&>(expr), false);
+    ++nesting_;
+    if (fits_nesting(expr.span)) parts_of(expr);
+    --nesting_;
+}
+
+void Checker::parts_of(Expr& expr) {
     switch (expr.kind) {
         case ExprKind::error:
         case ExprKind::number:
@@ -389,8 +427,7 @@ void Checker::expression(Expr& expr) {
             for (Expr* element : static_cast<ListExpr&>(expr).elements) expression(*element);
             return;
         case ExprKind::block:
-            block(static_cast<BlockExpr&>(expr), false);
-            return;
+            break;
     }
     LRAY_ASSERT(false);
 }
@@ -426,7 +463,7 @@ void Checker::unknown_name(const NameExpr& expr, bool is_block_head) {
     if (const Span* later = defined_later(expr.symbol)) {
         diagnostics_
             .error(Code::E0202, expr.span,
-                   later->source == expr.span.source
+                   diagnostics_.takes_hints() && later->source == expr.span.source
                        ? fmt::format("`{}` is used before line {} defines it", text,
                                      sources_.position(*later).line)
                        : fmt::format("`{}` is used before it is defined", text))
@@ -440,8 +477,13 @@ void Checker::unknown_name(const NameExpr& expr, bool is_block_head) {
         return;
     }
     std::vector<std::string_view> names;
-    for (const auto& [symbol, index] : innermost_) names.push_back(symbols_.text(symbol));
-    std::sort(names.begin(), names.end());
+    constexpr std::size_t kMaxNames = 100'000;
+    const bool is_searched = diagnostics_.takes_hints() && innermost_.size() <= kMaxNames;
+    if (is_searched) {
+        names.reserve(innermost_.size());
+        for (const auto& [symbol, index] : innermost_) names.push_back(symbols_.text(symbol));
+        std::sort(names.begin(), names.end());
+    }
     if (is_block_head) {
         for (const BlockSchema& schema : block_schemas()) names.push_back(schema.name);
     } else {
@@ -550,8 +592,8 @@ void Checker::arguments(const CallExpr& expr, const Builtin& builtin) {
 }  // namespace
 
 Checked check(std::span<Item* const> items, const Symbols& symbols, const Sources& sources,
-              Arena& arena, Diagnostics& diagnostics) {
-    return Checker(symbols, sources, arena, diagnostics).check(items);
+              std::uint32_t max_nesting, Arena& arena, Diagnostics& diagnostics) {
+    return Checker(symbols, sources, max_nesting, arena, diagnostics).check(items);
 }
 
 }  // namespace lray::parser

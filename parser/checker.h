@@ -19,8 +19,9 @@ struct Checked {
 };
 
 /// Checks a program, and writes into its tree what names mean.
-/// Errors: E0118, E02.., E03.. of literals, E04..; warns W11.., W14...
+/// Errors: E0115 when blocks, expressions and includes together are nested too deep to walk over,
+/// E0118, E02.., E03.. of literals, E04..; warns W11.., W14...
 Checked check(std::span<Item* const> items, const Symbols& symbols, const Sources& sources,
-              Arena& arena, Diagnostics& diagnostics);
+              std::uint32_t max_nesting, Arena& arena, Diagnostics& diagnostics);
 
 }  // namespace lray::parser

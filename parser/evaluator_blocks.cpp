@@ -143,6 +143,12 @@ std::optional<ShapeRef> Evaluator::shape_of(const OpenBlock& open) {
         const std::optional<scene::MeshUse> use =
             build_mesh(open.values, open.value_spans, open.span, files_, scene_, diagnostics_);
         if (!use) return std::nullopt;
+        if (use->part != scene::MeshUse::kAllParts) {
+            // A name may return in every other part of a file, and be used in every mesh.
+            const scene::Mesh& mesh = scene_.meshes[use->mesh_id.index()];
+            const std::size_t count = parts_named(mesh, mesh.parts[use->part].name).size();
+            if (!take_steps(budget_, count, open.span, diagnostics_)) return std::nullopt;
+        }
         scene_.mesh_uses.push_back(*use);
         return ShapeRef{scene::NodeKind::mesh,
                         static_cast<std::uint32_t>(scene_.mesh_uses.size() - 1)};

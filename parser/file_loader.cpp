@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -46,7 +47,7 @@ std::optional<SourceId> FileLoader::read(const Request& request, SourceId from) 
         diagnostics_.error(Code::E0601, request.span, "the file name is empty");
         return std::nullopt;
     }
-    return add(files_.read(request.path, directories_[from], request.limit.bytes), request);
+    return add(files_.read(request.path, directories_[from], request.limit.left), request);
 }
 
 std::optional<SourceId> FileLoader::add(ReadResult result, const Request& request) {
@@ -68,6 +69,7 @@ std::optional<SourceId> FileLoader::add(ReadResult result, const Request& reques
     } else if (result.is_absolute && !span.is_nowhere()) {
         diagnostics_.warning(Code::W1605, span, "an absolute path works on this machine only");
     }
+    request.limit.left -= std::min<std::uint64_t>(result.text.size(), request.limit.left);
     const SourceId id =
         sources_.add(std::move(result.path), std::move(result.text), request.included_from);
     directories_[id] = std::move(result.directory);
@@ -107,12 +109,18 @@ void FileLoader::report(const ReadResult& result, const Request& request) {
             diagnostics_.error(Code::E0604, span,
                                fmt::format("`{}` is not a file with text in it", written));
             return;
-        case ReadStatus::too_large:
+        case ReadStatus::too_large: {
+            const SizeLimit& limit = request.limit;
+            const bool is_first = limit.left == limit.bytes;
             diagnostics_
                 .error(Code::E0516, span,
-                       fmt::format("`{}` is larger than {} bytes", written, request.limit.bytes))
-                .with_help(fmt::format("raise the limit with `{} N`", request.limit.flag));
+                       is_first ? fmt::format("`{}` is larger than {} bytes", written, limit.bytes)
+                                : fmt::format("with `{}` the files are larger than {} bytes "
+                                              "together",
+                                              written, limit.bytes))
+                .with_help(fmt::format("raise the limit with `{} N`", limit.flag));
             return;
+        }
         case ReadStatus::unreadable:
             diagnostics_.error(Code::E0604, span,
                                fmt::format("`{}` cannot be read: {}", written, result.reason));

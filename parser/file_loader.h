@@ -37,9 +37,11 @@ class FileLoader {
                                       scene::Scene& scene);
 
  private:
+    /// Of all files of a kind together: a small one may be named ten thousand times.
     struct SizeLimit {
         std::uint64_t bytes = 0;
         std::string_view flag{};
+        std::uint64_t left = bytes;
     };
 
     /// A file that is named at `span`, and part of what stands at `included_from`, if anywhere.
@@ -47,7 +49,7 @@ class FileLoader {
         std::string_view path{};
         Span span{};
         Span included_from{};
-        SizeLimit limit{};
+        SizeLimit& limit;
     };
 
     std::optional<SourceId> read(const Request& request, SourceId from);

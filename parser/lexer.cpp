@@ -58,6 +58,7 @@ Lexer::Lexer(const Sources& sources, SourceId source, Symbols& symbols, Diagnost
       end_(begin_ + sources[source].text.size()),
       at_(begin_),
       token_begin_(begin_),
+      end_of_search_(begin_),
       source_(source),
       symbols_(symbols),
       diagnostics_(diagnostics) {
@@ -90,7 +91,24 @@ Token Lexer::finish(TokenKind kind, const char* token_end) {
 }
 
 Token Lexer::next() {
-    const bool newline_before = skip_blanks();
+    bool newline_before = false;
+    Token token;
+    do {  // text that means nothing may be as long as the file: no recursion
+        newline_before = skip_blanks() || newline_before;
+        token = scan();
+    } while (token.kind == TokenKind::nothing);
+    is_after_let_ = token.kind == TokenKind::kw_let;
+    token.newline_before = newline_before;
+    return token;
+}
+
+Token Lexer::nothing() {
+    Token token;
+    token.kind = TokenKind::nothing;
+    return token;
+}
+
+Token Lexer::scan() {
     token_begin_ = at_;
     const char c = *at_;
     Token token;
@@ -107,8 +125,6 @@ Token Lexer::next() {
     } else {
         token = punctuation();
     }
-    is_after_let_ = token.kind == TokenKind::kw_let;
-    token.newline_before = token.newline_before || newline_before;
     return token;
 }
 
@@ -314,7 +330,7 @@ Token Lexer::hash() {
     }
     diagnostic->with_help("a colour is `#` and 3, 6 or 8 hex digits");
     skip_line_comment();
-    return next();
+    return nothing();
 }
 
 Token Lexer::punctuation() {
@@ -389,7 +405,7 @@ Token Lexer::operator_token() {
     diagnostics_.error(Code::E0001, span_from(at_, at_ + 1),
                        fmt::format("`{}` means nothing here", rest.substr(0, 1)));
     ++at_;
-    return next();
+    return nothing();
 }
 
 std::string_view foreign_operator_fix(std::string_view text) {

@@ -34,6 +34,8 @@ class Lexer {
     }
 
  private:
+    Token scan();
+    static Token nothing();
     bool skip_blanks();
     void skip_line_comment();
     void skip_block_comment();
@@ -56,6 +58,7 @@ class Lexer {
     const char* end_;
     const char* at_;
     const char* token_begin_;
+    const char* end_of_search_;  // up to here no string in quotes of another kind is closed
     SourceId source_;
     Symbols& symbols_;
     Diagnostics& diagnostics_;

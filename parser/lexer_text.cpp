@@ -44,7 +44,7 @@ Token Lexer::foreign_character() {
     }
     if (first_foreign == nullptr) {  // not UTF-8
         check_code_point();
-        return next();
+        return nothing();
     }
     const Span place = span_from(first_foreign, first_foreign + foreign.length);
     const std::string_view shown(first_foreign, foreign.length);
@@ -92,17 +92,23 @@ Token Lexer::string() {
 // A string in quotes of another kind: reported, then read as the string it is meant to be.
 Token Lexer::quoted_otherwise(std::size_t opening_size, std::string_view closing) {
     const char* const opening = at_;
-    const char* line_end = at_;
-    while (line_end < end_ && *line_end != '\n' && *line_end != '\r') ++line_end;
     const char* const inner = opening + opening_size;
-    const std::string_view line(inner, static_cast<std::size_t>(line_end - inner));
-    const std::size_t close = line.find(closing);
     diagnostics_.error(Code::E0001, span_from(opening, inner), "strings are written with `\"`");
-    if (close == line.npos) {
-        at_ = inner;
-        return next();
+    const auto closes = [&](const char* at) {
+        return std::string_view(at, static_cast<std::size_t>(end_ - at)).starts_with(closing);
+    };
+    const char* close = inner;
+    // A line without an end to its string is searched once: it may be as long as the file.
+    const bool is_searched = opening >= end_of_search_;
+    while (is_searched && close < end_ && *close != '\n' && *close != '\r' && !closes(close)) {
+        ++close;
     }
-    at_ = inner + close + closing.size();
+    if (!is_searched || close == end_ || !closes(close)) {
+        if (is_searched) end_of_search_ = close;
+        at_ = inner;
+        return nothing();
+    }
+    at_ = close + closing.size();
     Token token = finish(TokenKind::string, at_);
     token.quote_size = static_cast<std::uint8_t>(opening_size);
     return token;
@@ -117,7 +123,7 @@ Token Lexer::punctuation_lookalike(const Lookalike& lookalike, std::size_t size)
             ? fmt::format("this is {}, not a space", lookalike.name)
             : fmt::format("this is {}, not `{}`", lookalike.name, lookalike.looks_like));
     at_ += size;
-    if (lookalike.looks_like == ' ') return next();
+    if (lookalike.looks_like == ' ') return nothing();
     const TokenKind kind = lookalike.looks_like == '-'   ? TokenKind::minus
                            : lookalike.looks_like == '*' ? TokenKind::star
                                                          : TokenKind::comma;

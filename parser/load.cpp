@@ -120,7 +120,7 @@ std::optional<scene::Scene> load(std::string_view path, const LoadLimits& limits
     IncludeLoader includes(context, loader, limits, diagnostics);
     const std::span<Item* const> program = includes.parse_with_includes(*main);
     if (!includes.is_structure_known()) return std::nullopt;
-    const Checked checked = check(program, symbols, sources, arena, diagnostics);
+    const Checked checked = check(program, symbols, sources, limits.nesting, arena, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     evaluate(program, checked, symbols, sources, loader, limits, scene, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;

@@ -13,8 +13,8 @@
 namespace lray::parser {
 
 struct LoadLimits {
-    std::uint64_t scene_bytes = std::uint64_t{1} << 30;  // --max-scene-bytes, of each file
-    std::uint64_t mesh_bytes = std::uint64_t{4} << 30;   // --max-mesh-bytes, of each file
+    std::uint64_t scene_bytes = std::uint64_t{1} << 30;  // --max-scene-bytes, of all files
+    std::uint64_t mesh_bytes = std::uint64_t{4} << 30;   // --max-mesh-bytes, of all files
     std::uint32_t nesting = 256;                         // --max-nesting
     std::uint32_t include_depth = 64;                    // --max-include-depth
     std::uint32_t files = 10'000;                        // --max-files

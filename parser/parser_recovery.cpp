@@ -11,6 +11,9 @@ namespace lray::parser {
 
 namespace {
 
+/// How far the rest of a line is looked at to understand a mistake: it may be as long as the file.
+constexpr std::uint32_t kMaxLookAhead = 4096;
+
 /// True for ` name :`.
 bool begins_property(const char* at) {
     while (is_a(*at, kBlank)) ++at;
@@ -155,10 +158,20 @@ bool Parser::starts_item_on_new_line() {
 }
 
 // Width of the blanks at the begin of the line that holds this offset.
-std::uint32_t Parser::line_indent(std::uint32_t offset) const {
+// Lines may be as long as the file: of the last one what was found out is kept.
+std::uint32_t Parser::line_begin(std::uint32_t offset) {
+    if (offset >= last_line_begin_ && offset <= last_line_seen_) return last_line_begin_;
     const char* const begin = lexer_.begin();
-    const char* line = begin + offset;
-    while (line > begin && line[-1] != '\n' && line[-1] != '\r') --line;
+    const std::uint32_t stop = offset > last_line_seen_ ? last_line_seen_ : 0;
+    std::uint32_t line = offset;
+    while (line > stop && begin[line - 1] != '\n' && begin[line - 1] != '\r') --line;
+    last_line_begin_ = line == stop && stop > 0 ? last_line_begin_ : line;
+    last_line_seen_ = offset;
+    return last_line_begin_;
+}
+
+std::uint32_t Parser::line_indent(std::uint32_t offset) {
+    const char* const line = lexer_.begin() + line_begin(offset);
     const char* to = line;
     while (is_a(*to, kBlank)) ++to;
     return static_cast<std::uint32_t>(to - line);
@@ -166,7 +179,7 @@ std::uint32_t Parser::line_indent(std::uint32_t offset) const {
 
 // In the second run: a line that starts no further in than the line of the innermost `{` is not
 // in its block.
-bool Parser::is_dedented(const Token& token) const {
+bool Parser::is_dedented(const Token& token) {
     if (structure_ == Structure::braces || openers_.empty() || !token.newline_before) return false;
     const std::uint32_t indent = line_indent(token.offset);
     if (token.kind == TokenKind::right_brace) return false;
@@ -174,7 +187,7 @@ bool Parser::is_dedented(const Token& token) const {
 }
 
 // Likewise: a `}` below the line of an outer `{` closes that one.
-bool Parser::closes_outer_block(const Token& token) const {
+bool Parser::closes_outer_block(const Token& token) {
     if (structure_ == Structure::braces || openers_.empty() || !token.newline_before) return false;
     const std::uint32_t indent = line_indent(token.offset);
     if (indent >= openers_.back().indent) return false;
@@ -236,7 +249,8 @@ bool Parser::line_has_unopened_closer(const Token& from) const {
     int brackets = 0;
     int braces = 0;
     bool is_string = false;
-    for (const char* at = lexer_.begin() + from.offset; at < lexer_.end(); ++at) {
+    const char* const begin = lexer_.begin() + from.offset;
+    for (const char* at = begin; at < lexer_.end() && at < begin + kMaxLookAhead; ++at) {
         if (*at == '\n' || *at == '\r' || (!is_string && at[0] == '/' && at[1] == '/')) break;
         if (*at == '"') is_string = !is_string;
         if (is_string) continue;
@@ -250,14 +264,14 @@ bool Parser::line_has_unopened_closer(const Token& from) const {
 }
 
 // True if this line closes more braces behind the token than were opened in it: one was lost.
-bool Parser::line_closes_too_many_braces(const Token& from) const {
+bool Parser::line_closes_too_many_braces(const Token& from) {
     int braces = 0;
-    const char* const begin = lexer_.begin();
-    const char* line_begin = begin + from.offset;
-    while (line_begin > begin && line_begin[-1] != '\n' && line_begin[-1] != '\r') --line_begin;
-    for (const Opener& opener : openers_) braces += begin + opener.offset >= line_begin ? 1 : 0;
+    const std::uint32_t line = line_begin(from.offset);
+    for (const Opener& opener : openers_) braces += opener.offset >= line ? 1 : 0;
     bool is_string = false;
-    for (const char* at = begin + from.offset; at < lexer_.end(); ++at) {
+    for (const char* at = lexer_.begin() + from.offset;; ++at) {
+        if (at == lexer_.end()) break;
+        if (at == lexer_.begin() + from.offset + kMaxLookAhead) return false;
         if (*at == '\n' || *at == '\r' || (!is_string && at[0] == '/' && at[1] == '/')) break;
         if (*at == '"') is_string = !is_string;
         if (!is_string && *at == '{') ++braces;

@@ -66,14 +66,15 @@ class Parser {
     void skip_balanced();
     bool starts_item(const Token& token, const Token& after) const;
     bool starts_item_on_new_line();
-    bool is_dedented(const Token& token) const;
-    bool closes_outer_block(const Token& token) const;
+    bool is_dedented(const Token& token);
+    bool closes_outer_block(const Token& token);
     bool close(TokenKind closer, const Token& opener);
     bool line_has_unopened_closer(const Token& from) const;
-    bool line_closes_too_many_braces(const Token& from) const;
+    bool line_closes_too_many_braces(const Token& from);
     bool skip_list_without_opener(const Expr& value);
     bool read_block_without_brace(Span head);
-    std::uint32_t line_indent(std::uint32_t offset) const;
+    std::uint32_t line_begin(std::uint32_t offset);
+    std::uint32_t line_indent(std::uint32_t offset);
     std::string position(const Token& token) const;
     std::string describe(const Token& token) const;
 
@@ -116,6 +117,9 @@ class Parser {
     Token ahead_;
     bool has_ahead_ = false;
     std::uint32_t previous_end_ = 0;
+
+    std::uint32_t last_line_begin_ = 0;  // of the line that holds the byte at last_line_seen_
+    std::uint32_t last_line_seen_ = 0;
 
     std::vector<Opener> openers_;
     std::vector<IncludeItem*> includes_;

@@ -72,6 +72,7 @@ enum class TokenKind : std::uint8_t {
     greater_equal,
     foreign,  // an operator of another language: `&&`, `+=`, `..`
     end,
+    nothing,  // text that was reported and is left out; the lexer keeps it to itself
 };
 
 inline constexpr std::array<std::string_view, 31> kKeywords = {

@@ -102,9 +102,9 @@ std::vector<TriangleRange> triangles_of(const Scene& scene, const MeshUse& use) 
     const Mesh& mesh = scene.meshes[use.mesh_id.index()];
     if (use.part == MeshUse::kAllParts) return {{0, mesh.triangles.size()}};
     std::vector<TriangleRange> ranges;
-    for (const MeshPart& part : mesh.parts) {
-        const bool is_wanted = part.name == mesh.parts[use.part].name;
-        if (is_wanted) ranges.push_back({part.first_triangle, part.triangle_count});
+    for (const std::uint32_t index : parts_named(mesh, mesh.parts[use.part].name)) {
+        const MeshPart& part = mesh.parts[index];
+        ranges.push_back({part.first_triangle, part.triangle_count});
     }
     return ranges;
 }

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/vec.h"
@@ -33,6 +35,13 @@ struct Mesh {
     std::vector<IndexTriple> normal_indices{};
     std::vector<IndexTriple> uv_indices{};
     std::vector<MeshPart> parts{};
+    std::vector<std::uint32_t> parts_by_name{};  // by index_parts(); files may have a million
 };
+
+/// Orders the parts for parts_named(), once they are all there.
+void index_parts(Mesh& mesh);
+
+/// Returns the indices of the parts of a name, in the order of the file.
+std::span<const std::uint32_t> parts_named(const Mesh& mesh, std::string_view name);
 
 }  // namespace lray::scene

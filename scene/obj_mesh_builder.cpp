@@ -123,6 +123,7 @@ std::optional<Mesh> MeshBuilder::finish() {
     if (mesh_.triangles.empty() || !are_indices_in_range()) return {};
     close_part(open_group_);
     close_part(open_object_);
+    index_parts(mesh_);
     triangulate_late_polygons();
     if (has_zero_normals_) forget_zero_normals();
     return std::move(mesh_);

@@ -172,6 +172,38 @@ TEST(HostileText, EveryPrefixOfAnExampleEnds) {
     }
 }
 
+// Once deep recursion or time that grew with the square of the size.
+TEST(HostileText, LongRunsOfOneMistakeEnd) {
+    for (const char* piece :
+         {"$", "# no comment\n", "''", "\xE2\x80\x98", "\xE2\x80\x98x\xE2\x80\x99,", "\xC2\xA0",
+          "sphere { radios: 1 } ", "let a = unknown; "}) {
+        std::string text;
+        for (int i = 0; i < 50'000; ++i) text += piece;
+        EXPECT_TRUE(load_text(text).has_errors()) << piece;
+    }
+}
+
+TEST(HostileText, ALongLineOfBlocksIsReadInOneGo) {
+    std::string text = "let red = material { }; ";
+    for (int i = 0; i < 100'000; ++i) text += "sphere { material: red } ";
+    const Loaded loaded = load_text(text);
+    ASSERT_TRUE(loaded.scene.has_value()) << loaded.text();
+    EXPECT_EQ(loaded.scene->spheres.size(), 100'000u);
+}
+
+TEST(HostileText, APartOfEachNameIsFoundAmongMany) {
+    std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    std::string text;
+    for (int i = 0; i < 50'000; ++i) {
+        mesh += fmt::format("g part{}\nf 1 2 3\n", i);
+        text += fmt::format("mesh {{ file: \"m.obj\", part: \"part{}\" }}\n", i);
+    }
+    const Loaded loaded = load_text(text, {}, {{"m.obj", mesh}});
+    ASSERT_TRUE(loaded.scene.has_value()) << loaded.text();
+    const scene::MeshUse& last = loaded.scene->mesh_uses.back();
+    EXPECT_EQ(loaded.scene->meshes[0].parts[last.part].name, "part49999");
+}
+
 /// What a scene holds, as text: equal for equal scenes.
 std::string dump(const scene::Scene& scene, const Sources& sources) {
     std::string text;

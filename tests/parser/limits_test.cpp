@@ -90,6 +90,35 @@ TEST(NestingLimit, HoldsAgainstALongScene) {
     }
 }
 
+TEST(NestingLimit, CountsChainsInBlocksInChains) {
+    parser::LoadLimits limits;
+    limits.nesting = 40;
+    std::string value = "1";
+    for (int i = 0; i < 5; ++i) {
+        value = "sphere { radius: (" + value + ") + 1" + repeated(" + 1", 6) + " }.radius";
+    }
+    EXPECT_EQ(load_text("let x = " + value, limits).codes(), "E0115");
+    limits.nesting = 80;
+    EXPECT_FALSE(load_text("let x = " + value, limits).has_errors());
+
+    std::string copies = "sphere { }";
+    for (int i = 0; i < 80; ++i) {
+        copies = "sphere { radius: (" + copies + ").radius }" + repeated(" { }", 200);
+    }
+    EXPECT_EQ(load_text("let x = " + copies).codes(), "E0115");
+}
+
+TEST(NestingLimit, CountsThroughIncludes) {
+    const std::string part = repeated("group { ", 10) + repeated("}", 10);
+    const std::string main = repeated("group { ", 10) + "include \"part.lrs\"" + repeated("}", 10);
+    for (const std::uint32_t nesting : {19u, 20u}) {
+        parser::LoadLimits limits;
+        limits.nesting = nesting;
+        EXPECT_EQ(load_text(main, limits, {{"part.lrs", part}}).codes(),
+                  nesting < 20 ? "E0115" : "W1501");
+    }
+}
+
 TEST(NestingLimit, IsNoLimitOfLength) {
     EXPECT_FALSE(load_text("let x = [" + repeated("1 + 1, ", 10'000) + "]").has_errors());
     EXPECT_FALSE(load_text(repeated("group { }\n", 10'000)).has_errors());
@@ -118,13 +147,14 @@ TEST(IncludeLimits, FilesAreCountedWithMeshesAndTheMainFile) {
     }
 }
 
-TEST(SizeLimits, AFileMayBeAsLargeAsItsLimit) {
+TEST(SizeLimits, FilesOfAKindMayBeAsLargeAsTheirLimitTogether) {
     const std::string scene = "include \"a.lrs\"\nmesh { file: \"m.obj\" }\n";
     const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const std::string part = "sphere { }\n";
     for (const int more : {-1, 0, 1}) {
         parser::LoadLimits limits;
-        limits.scene_bytes = static_cast<std::uint64_t>(static_cast<int>(scene.size()) + more);
+        const std::size_t both = scene.size() + part.size();
+        limits.scene_bytes = static_cast<std::uint64_t>(static_cast<int>(both) + more);
         EXPECT_EQ(load_text(scene, limits, {{"a.lrs", part}, {"m.obj", mesh}}).codes(),
                   more < 0 ? "E0516" : "W1501");
         limits = {};
@@ -133,10 +163,35 @@ TEST(SizeLimits, AFileMayBeAsLargeAsItsLimit) {
                   more < 0 ? "E0516" : "W1501");
         limits = {};
         const std::string long_part = part + repeated(" ", scene.size());
-        limits.scene_bytes = static_cast<std::uint64_t>(static_cast<int>(long_part.size()) + more);
+        const std::size_t long_both = scene.size() + long_part.size();
+        limits.scene_bytes = static_cast<std::uint64_t>(static_cast<int>(long_both) + more);
         EXPECT_EQ(load_text(scene, limits, {{"a.lrs", long_part}, {"m.obj", mesh}}).codes(),
                   more < 0 ? "E0516" : "W1501");
     }
+}
+
+TEST(SizeLimits, AFileCountsAsOftenAsItIsRead) {
+    const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const std::string scene =
+        "mesh { file: \"m.obj\" }\nmesh { file: \"m.obj\" }\nmesh { file: \"./m.obj\" }\n";
+    parser::LoadLimits limits;
+    limits.mesh_bytes = 2 * mesh.size();
+    EXPECT_EQ(load_text(scene, limits, {{"m.obj", mesh}}).codes(), "W1501");
+    --limits.mesh_bytes;
+    EXPECT_EQ(load_text(scene, limits, {{"m.obj", mesh}}).text(),
+              fmt::format("E0516 3:14 with `./m.obj` the files are larger than {} bytes together\n",
+                          limits.mesh_bytes));
+}
+
+TEST(StepLimit, APartCostsTheStretchesOfItsName) {
+    const std::string mesh =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + repeated("g a\nf 1 2 3\ng b\nf 1 2 3\n", 100);
+    const std::string scene = "mesh { file: \"m.obj\", part: \"a\" }";
+    parser::LoadLimits limits;
+    limits.steps = 102;  // and two strings
+    EXPECT_EQ(load_text(scene, limits, {{"m.obj", mesh}}).codes(), "W1501");
+    --limits.steps;
+    EXPECT_EQ(load_text(scene, limits, {{"m.obj", mesh}}).codes(), "E0512");
 }
 
 TEST(StepLimit, EachExpressionIsAStep) {

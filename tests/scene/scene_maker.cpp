@@ -83,6 +83,7 @@ MaterialId SceneMaker::add_material(Color diffuse) {
 }
 
 MeshId SceneMaker::add_mesh(Mesh mesh) {
+    index_parts(mesh);
     scene.meshes.push_back(std::move(mesh));
     return MeshId{scene.meshes.size() - 1};
 }

@@ -56,8 +56,8 @@ struct Diagnostic {
 
 /// Collects the diagnostics of a run. One error per place: a second error that begins where one
 /// was already reported is dropped, the same one again is counted; likewise one warning of each
-/// code per place. At most kMaxKept are kept, so
-/// that a hostile file cannot fill the memory with its mistakes; all are counted.
+/// code per place. At most kMaxKept are kept, so that a hostile file cannot fill the memory with
+/// its mistakes; all are counted.
 class Diagnostics {
  public:
     static constexpr std::size_t kMaxKept = 10000;

@@ -201,6 +201,8 @@ FileAccess::Attempt FileAccess::open_absolute(const std::string& absolute) const
 
 void FileAccess::read_ignoring_case(ReadResult& result, std::string_view written,
                                     std::uint64_t max_size) {
+    if (searches_left_ == 0) return;
+    --searches_left_;
     const std::string_view name = file_name_of(written);
     for (const std::string& place : result.searched) {
         for (const Root& root : roots_) {

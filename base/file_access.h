@@ -44,6 +44,10 @@ struct ReadResult {
 /// openat2 a component-wise walk with O_NOFOLLOW), opened with O_NONBLOCK.
 class FileAccess {
  public:
+    /// Files that are missing: for so many, directories are searched for what was meant. A scene
+    /// may name any number of missing files.
+    static constexpr std::size_t kMaxSearches = 100;
+
     explicit FileAccess(BeneathMethod method = best_beneath_method()) : method_(method) {}
 
     /// Reads may touch this directory and all below it. Also a place where relative names are
@@ -87,6 +91,7 @@ class FileAccess {
     BeneathMethod method_;
     std::vector<Root> roots_;
     std::vector<std::string> files_read_;
+    std::size_t searches_left_ = kMaxSearches;
     std::unordered_set<std::string> is_read_;
 };
 

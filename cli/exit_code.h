@@ -12,7 +12,6 @@ enum class ExitCode : std::uint8_t {
     usage = 2,   // a wrong command line
     limit = 3,   // a limit, or memory
     output = 4,  // the output could not be written
-    display = 5,
     internal = 70,
     interrupted = 130,
     terminated = 143,

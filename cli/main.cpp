@@ -42,7 +42,8 @@ ExitCode check_or_render(const Options& options) {
     print_notes(view, *world, options);
 
     catch_interrupts();
-    auto opened = open_output(options);  // before the work: a wrong name is told at once
+    auto opened =
+        open_output(options, files.files_read());  // before the work: a wrong name is told at once
     if (const auto* failure = std::get_if<Failure>(&opened)) return report_failure(*failure);
 
     watch.lap();

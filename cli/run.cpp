@@ -130,10 +130,14 @@ void print_notes(const View& view, const scene::World& world, const Options& opt
     }
 }
 
-std::variant<OutputFile, Failure> open_output(const Options& options) {
-    if (options.output_path != "-" && is_same_file(options.output_path, options.scene_path)) {
+std::variant<OutputFile, Failure> open_output(const Options& options,
+                                              std::span<const std::string> files_read) {
+    for (const std::string& file : files_read) {
+        if (options.output_path == "-" || !is_same_file(options.output_path, file)) continue;
+        const std::string_view what =
+            file == options.scene_path ? "the scene" : "a file of the scene";
         return Failure{ExitCode::usage,
-                       fmt::format("`-o {}` would overwrite the scene", options.output_path),
+                       fmt::format("`-o {}` would overwrite {}", options.output_path, what),
                        "give the picture another name"};
     }
     std::string error;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -29,7 +30,8 @@ void print_notes(const View& view, const scene::World& world, const Options& opt
 
 /// Opens the output.
 /// Errors: a usage error if it is the scene itself, an output error if it cannot be written.
-std::variant<OutputFile, Failure> open_output(const Options& options);
+std::variant<OutputFile, Failure> open_output(const Options& options,
+                                              std::span<const std::string> files_read);
 
 /// Renders with progress on stderr, until done or interrupted.
 render::RenderResult render_view(const View& view, const scene::World& world,

@@ -43,6 +43,7 @@ std::optional<SourceId> FileLoader::read(const Request& request, SourceId from) 
             .with_help("raise the limit with `--max-files N`");
         return std::nullopt;
     }
+    if (request.limit.is_exceeded) return std::nullopt;  // said once
     if (request.path.empty()) {
         diagnostics_.error(Code::E0601, request.span, "the file name is empty");
         return std::nullopt;
@@ -110,7 +111,8 @@ void FileLoader::report(const ReadResult& result, const Request& request) {
                                fmt::format("`{}` is not a file with text in it", written));
             return;
         case ReadStatus::too_large: {
-            const SizeLimit& limit = request.limit;
+            SizeLimit& limit = request.limit;
+            limit.is_exceeded = true;
             const bool is_first = limit.left == limit.bytes;
             diagnostics_
                 .error(Code::E0516, span,

@@ -42,6 +42,7 @@ class FileLoader {
         std::uint64_t bytes = 0;
         std::string_view flag{};
         std::uint64_t left = bytes;
+        bool is_exceeded = false;
     };
 
     /// A file that is named at `span`, and part of what stands at `included_from`, if anywhere.

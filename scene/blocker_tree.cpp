@@ -40,6 +40,10 @@ void BlockerTree::build_node(std::uint32_t index, std::uint32_t parent, std::uin
         node.high = glm::max(node.high, blockers_[i].point);
     }
     if (end - begin <= kLeafSize) {
+        // By corner: how nth_element() leaves them differs between libraries.
+        std::sort(blockers_.begin() + std::ptrdiff_t{begin},
+                  blockers_.begin() + std::ptrdiff_t{end},
+                  [](const Blocker& a, const Blocker& b) { return a.corner < b.corner; });
         for (std::uint32_t i = begin; i < end; ++i) leaves_[blockers_[i].corner] = index;
         nodes_[index] = node;
         return;
@@ -52,7 +56,7 @@ void BlockerTree::build_node(std::uint32_t index, std::uint32_t parent, std::uin
     const int axis = size.x >= size.y ? 0 : 1;
     const std::uint32_t middle = begin + (end - begin) / 2;
     const auto at = [&](std::uint32_t i) { return blockers_.begin() + std::ptrdiff_t{i}; };
-    // Equal coordinates by corner: the order is the same with every library.
+    // Equal coordinates by corner: the halves are the same with every library.
     std::nth_element(at(begin), at(middle), at(end), [axis](const Blocker& a, const Blocker& b) {
         return a.point[axis] != b.point[axis] ? a.point[axis] < b.point[axis] : a.corner < b.corner;
     });

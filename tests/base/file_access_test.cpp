@@ -159,6 +159,15 @@ TEST_P(FileAccessTest, AllowedIsNotSearched) {
     EXPECT_EQ(read("../lib/std.lrs").status, ReadStatus::ok);
 }
 
+TEST_P(FileAccessTest, DirectoriesAreSearchedForSoManyMissingFilesOnly) {
+    for (std::size_t i = 0; i < FileAccess::kMaxSearches; ++i) {
+        EXPECT_EQ(read("parts/weel.lrs").nearest, "parts/wheel.lrs");
+    }
+    EXPECT_EQ(read("parts/weel.lrs").nearest, "");
+    EXPECT_EQ(read("parts/weel.lrs").status, ReadStatus::not_found);
+    EXPECT_EQ(read("parts/wheel.lrs").status, ReadStatus::ok);
+}
+
 TEST_P(FileAccessTest, MissingFileTellsPlacesAndTheNearestName) {
     files_.allow("lib", true);
     files_.allow("no-such-directory", true);

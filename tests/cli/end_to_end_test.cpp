@@ -391,6 +391,20 @@ TEST_F(EndToEnd, StdoutThatIsFullOrClosedExits4) {
     }
 }
 
+TEST_F(EndToEnd, APictureNeverReplacesAFileOfTheScene) {
+    const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    directory_.write("m.obj", mesh);
+    directory_.write("scene.lrs", std::string(kScene) + "mesh { file: \"m.obj\" }\n");
+    const auto over_mesh = run({"scene.lrs", "-o", "m.obj", "--format", "ppm"});
+    EXPECT_EQ(over_mesh.exit_code, 2);
+    EXPECT_TRUE(contains(over_mesh.err, "`-o m.obj` would overwrite a file of the scene"))
+        << over_mesh.err;
+    EXPECT_EQ(directory_.read("m.obj"), mesh);
+    const auto over_scene = run({"scene.lrs", "-o", "scene.lrs", "--format", "ppm"});
+    EXPECT_EQ(over_scene.exit_code, 2);
+    EXPECT_TRUE(contains(over_scene.err, "would overwrite the scene")) << over_scene.err;
+}
+
 TEST_F(EndToEnd, SamplesAtLevelOneWarnAndRender) {
     directory_.write("scene.lrs", kScene);
     const auto result = run({"-n", "1", "-ps", "16", "scene.lrs", "-o", "a.ppm"});

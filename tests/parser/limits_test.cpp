@@ -183,6 +183,15 @@ TEST(SizeLimits, AFileCountsAsOftenAsItIsRead) {
                           limits.mesh_bytes));
 }
 
+TEST(SizeLimits, AreToldOnce) {
+    const std::string scene =
+        "include \"a.lrs\"\ninclude \"a.lrs\"\ninclude \"a.lrs\"\ninclude \"a.lrs\"\n";
+    const std::string part = "sphere { } // a part that is included again and again, and longer";
+    parser::LoadLimits limits;
+    limits.scene_bytes = scene.size() + part.size();
+    EXPECT_EQ(load_text(scene, limits, {{"a.lrs", part}}).codes(), "E0516");
+}
+
 TEST(StepLimit, APartCostsTheStretchesOfItsName) {
     const std::string mesh =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + repeated("g a\nf 1 2 3\ng b\nf 1 2 3\n", 100);

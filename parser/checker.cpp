@@ -11,6 +11,7 @@
 #include "base/assert.h"
 #include "base/did_you_mean.h"
 #include "parser/builtins.h"
+#include "parser/check_arguments.h"
 #include "parser/check_block.h"
 #include "parser/constant_value.h"
 #include "parser/lexer.h"
@@ -73,7 +74,6 @@ class Checker {
     void unknown_name(const NameExpr& expr, bool is_block_head);
     void call(const CallExpr& expr);
     std::string as_properties(const CallExpr& expr) const;
-    void arguments(const CallExpr& expr, const Builtin& builtin);
     void block(BlockExpr& expr, bool is_placed);
     void head_and_body(BlockExpr& expr, bool is_placed);
     void value_of(const PropertySchema& property, const Expr& expr);
@@ -510,7 +510,7 @@ void Checker::call(const CallExpr& expr) {
         if (find(callee.symbol) == nullptr && builtin) {
             callee.meaning = Meaning::function;
             callee.index = *builtin;
-            arguments(expr, builtins()[*builtin]);
+            check_arguments(expr, builtins()[*builtin], symbols_, diagnostics_);
             return;
         }
         if (find(callee.symbol) == nullptr && find_block(callee.symbol) != nullptr) {
@@ -537,56 +537,6 @@ std::string Checker::as_properties(const CallExpr& expr) const {
                               sources_.text(argument.value->span));
     }
     return result.empty() ? "..." : result;
-}
-
-void Checker::arguments(const CallExpr& expr, const Builtin& builtin) {
-    const std::size_t count = builtin.parameter_count();
-    std::array<Span, kMaxParameters> given{};
-    std::size_t position = 0;
-    bool has_named = false;
-    for (const Argument& argument : expr.arguments) {
-        std::size_t place = position++;
-        if (argument.name != kNoSymbol) {
-            has_named = true;
-            const std::string_view text = symbols_.text(argument.name);
-            place = 0;
-            while (place < count && builtin.parameters[place].name != text) ++place;
-            if (place == count) {
-                std::vector<std::string_view> names;
-                for (std::size_t i = 0; i < count; ++i) names.push_back(builtin.parameters[i].name);
-                diagnostics_
-                    .error(Code::E0306, argument.name_span,
-                           fmt::format("`{}` has no argument `{}`", builtin.name, text))
-                    .with_hint(did_you_mean(text, names));
-                return;
-            }
-        } else if (has_named) {
-            diagnostics_.error(Code::E0306, argument.value->span,
-                               "arguments without a name come before those with one");
-            return;
-        }
-        if (place >= count) {
-            diagnostics_.error(Code::E0306, argument.value->span,
-                               fmt::format("`{}` takes {} argument{}", builtin.name, count,
-                                           count == 1 ? "" : "s"));
-            return;
-        }
-        if (!given[place].is_nowhere()) {
-            diagnostics_
-                .error(Code::E0306, argument.value->span,
-                       fmt::format("`{}` is given twice", builtin.parameters[place].name))
-                .with_label(given[place], "first given here");
-            continue;
-        }
-        given[place] = argument.value->span;
-    }
-    for (std::size_t i = 0; i < builtin.required_count(); ++i) {
-        if (!given[i].is_nowhere()) continue;
-        diagnostics_.error(
-            Code::E0305, expr.span,
-            fmt::format("`{}` needs its argument `{}`", builtin.name, builtin.parameters[i].name));
-        return;
-    }
 }
 
 }  // namespace

@@ -18,8 +18,9 @@ namespace lray::cli {
 
 namespace {
 
-// Brute force makes some 1e8 tests a second and core: beyond this it takes a minute or more.
-constexpr double kSlowTestCount = 1e10;
+// Brute force makes some 5e7 tests a second and core: beyond this it takes longer than people like
+// to wait without a word.
+constexpr double kSlowTestCount = 2e9;
 
 ProgressStyle progress_style(const Options& options) {
     if (options.quiet) return ProgressStyle::silent;

@@ -36,7 +36,6 @@ inline constexpr std::size_t kMaxParameters = 4;
 /// What a function is called with: arguments that fit its parameters, absent ones as none.
 struct Call {
     std::array<Value, kMaxParameters> arguments{};
-    std::size_t count = 0;  // of a function with any number of arguments
     Span span{};
     Arena& arena;
     Budget& budget;

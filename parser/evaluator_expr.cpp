@@ -129,7 +129,7 @@ Value Evaluator::call(const CallExpr& expr) {
     const NameExpr& callee = static_cast<const NameExpr&>(*expr.callee);
     if (callee.meaning != Meaning::function) return Value::poison();
     const Builtin& builtin = builtins()[callee.index];
-    Call made{{}, expr.arguments.size(), expr.span, arena_, budget_, diagnostics_};
+    Call made{{}, expr.span, arena_, budget_, diagnostics_};
     std::array<Span, kMaxParameters> spans{};
     std::size_t position = 0;
     for (const Argument& argument : expr.arguments) {

@@ -10,6 +10,12 @@ namespace lray::parser {
 
 namespace {
 
+/// A name from other tools, and ours.
+struct Habit {
+    std::string_view name{};
+    std::string_view ours{};
+};
+
 constexpr bool kinds_are_in_order() {
     for (std::size_t i = 0; i < schemas::kBlocks.size(); ++i) {
         if (static_cast<std::size_t>(schemas::kBlocks[i].kind) != i) return false;

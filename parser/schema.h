@@ -150,12 +150,6 @@ constexpr std::size_t find_property(std::span<const PropertySchema> properties,
     return slot;
 }
 
-/// Names of other tools, and of parts of the language that are not there yet.
-struct Habit {
-    std::string_view name{};
-    std::string_view ours{};
-};
-
 /// Returns what other tools' users mean by a property name (`color` -> `diffuse`); empty if
 /// nothing is known.
 std::string_view property_habit(std::string_view name);

@@ -16,11 +16,6 @@ static_assert(static_cast<double>(Film::kMaxValue) * kOne * Film::kMaxSamples < 
 Film::Film(std::uint32_t width, std::uint32_t height)
     : width_(width), height_(height), pixels_(std::size_t{width} * height) {}
 
-void Film::clear() {
-    std::fill(pixels_.begin(), pixels_.end(), Pixel{});
-    counts_ = {};
-}
-
 void Film::add(std::uint32_t x, std::uint32_t y, Color sample) {
     LRAY_DCHECK(x < width_ && y < height_);
     Pixel& target = pixels_[std::size_t{y} * width_ + x];

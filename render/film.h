@@ -28,9 +28,6 @@ class Film {
     std::uint32_t width() const { return width_; }
     std::uint32_t height() const { return height_; }
 
-    /// Makes the film black again.
-    void clear();
-
     /// Adds a sample: clamped to +-kMaxValue and counted if it was beyond. Asserts that the pixel
     /// has fewer than kMaxSamples.
     void add(std::uint32_t x, std::uint32_t y, Color sample);

@@ -84,14 +84,6 @@ struct Job {
     }
 };
 
-DVec2 sample_position(PixelPosition position, std::uint32_t x, std::uint32_t y) {
-    switch (position) {
-        case PixelPosition::center:
-            return {x + 0.5, y + 0.5};
-    }
-    LRAY_ASSERT(false);
-}
-
 Color trace(const Job& job, DVec2 position_pixel, bvh::TraceCounts& counts) {
     const Ray ray = job.rays.through(position_pixel);
     const bvh::Hit hit = job.accel.nearest_hit(ray, Interval{}, counts);
@@ -104,7 +96,7 @@ void render_tile(Job& job, const PixelRect& tile, ProgressMeter& progress) {
     for (std::uint32_t y = tile.y0; y < tile.y1; ++y) {
         std::uint32_t x = tile.x0;
         for (; x < tile.x1 && !job.cancel.load(std::memory_order_relaxed); ++x) {
-            const DVec2 position_pixel = sample_position(job.options.position, x, y);
+            const DVec2 position_pixel = DVec2{x + 0.5, y + 0.5};  // the centre
             film.add(x - tile.x0, y - tile.y0, trace(job, position_pixel, counts));
             job.result.image.at(x - job.area.x0, y - job.area.y0) =
                 film.resolve(x - tile.x0, y - tile.y0);

@@ -26,13 +26,10 @@ struct PixelRect {
     std::uint64_t pixel_count() const { return std::uint64_t{width()} * height(); }
 };
 
-enum class PixelPosition : std::uint8_t { center };
-
 struct RenderOptions {
     scene::Resolution resolution{};
     std::optional<PixelRect> crop{};  // empty: all. Asserts that it lies inside and is not empty
     Color background{0.0f};
-    PixelPosition position = PixelPosition::center;
     std::uint32_t thread_count = 0;  // 0: all
 };
 

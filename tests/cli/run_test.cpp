@@ -13,6 +13,24 @@ TEST(PartialPath, KeepsDirectoryAndExtension) {
     EXPECT_EQ(partial_path("a.b/image"), "a.b/image.partial");
 }
 
+TEST(Notes, BruteForceThatWillBeSlowIsAnnounced) {
+    const auto notes = [](std::size_t sphere_count, bool quiet) {
+        scene::World world;
+        world.spheres.resize(sphere_count);
+        View view;
+        view.render_options.resolution = {1000, 1000};
+        Options options;
+        options.quiet = quiet;
+        testing::internal::CaptureStderr();
+        print_notes(view, world, options);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_NE(notes(2001, false).find("each of 1000000 rays tests all 2001 primitives"),
+              std::string::npos);
+    EXPECT_EQ(notes(2000, false), "");
+    EXPECT_EQ(notes(2001, true), "");
+}
+
 TEST(FormatStats, SaysWhatWasRenderedAndHowFast) {
     scene::World world;
     world.object_ids[static_cast<std::size_t>(scene::PrimitiveKind::triangle)].resize(12);

@@ -65,8 +65,7 @@ struct Outcome {
 bool read_scene(const char* path, Outcome& outcome) {
     FileAccess files;
     if (std::string_view(path).ends_with(".lrs")) {
-        outcome.scene =
-            parser::load(path, parser::LoadLimits{}, files, outcome.sources, outcome.diagnostics);
+        outcome.scene = parser::load(path, {}, files, outcome.sources, outcome.diagnostics).scene;
         return outcome.scene.has_value();
     }
     ReadResult result = files.read_main(path, std::numeric_limits<std::uint32_t>::max());

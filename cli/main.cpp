@@ -27,8 +27,9 @@ ExitCode check_or_render(const Options& options) {
     StageTimes times;
     Stopwatch watch;
 
-    const auto scene =
-        parser::load(options.scene_path, options.load_limits, files, sources, diagnostics);
+    const auto scene = parser::load(options.scene_path, {.limits = options.load_limits}, files,
+                                    sources, diagnostics)
+                           .scene;
     times.load = watch.lap();
     const auto world =
         scene ? scene::flatten(*scene, options.flatten_limits, diagnostics) : std::nullopt;

@@ -46,6 +46,22 @@ class Arena {
         return {bytes.data(), bytes.size()};
     }
 
+    /// How far the arena is filled.
+    struct Mark {
+        std::size_t block_count = 0;
+        std::byte* next = nullptr;
+    };
+
+    Mark mark() const { return {used_blocks_, next_}; }
+
+    /// Gives back all that was allocated since the mark was taken; its memory is used again.
+    void reset(const Mark& mark) {
+        next_ = mark.next;
+        if (used_blocks_ == mark.block_count) return;
+        used_blocks_ = mark.block_count;
+        end_ = used_blocks_ == 0 ? nullptr : blocks_[used_blocks_ - 1].end();
+    }
+
     /// Bytes taken from the system.
     std::size_t size() const { return size_; }
 
@@ -65,16 +81,35 @@ class Arena {
     static constexpr std::size_t kFirstBlock = std::size_t{16} << 10;
     static constexpr std::size_t kLargestBlock = std::size_t{1} << 20;
 
+    struct Block {
+        std::unique_ptr<std::byte[]> bytes{};
+        std::size_t size = 0;
+
+        std::byte* end() const { return bytes.get() + size; }
+    };
+
     void add_block(std::size_t least) {
-        const std::size_t size = std::max(least, block_size_);
-        block_size_ = std::min(block_size_ * 2, kLargestBlock);
-        blocks_.push_back(std::make_unique_for_overwrite<std::byte[]>(size));
-        size_ += size;
-        next_ = blocks_.back().get();
-        end_ = next_ + size;
+        if (used_blocks_ < blocks_.size() && blocks_[used_blocks_].size < least) free_unused();
+        if (used_blocks_ == blocks_.size()) {
+            const std::size_t size = std::max(least, block_size_);
+            block_size_ = std::min(block_size_ * 2, kLargestBlock);
+            blocks_.push_back({std::make_unique_for_overwrite<std::byte[]>(size), size});
+            size_ += size;
+        }
+        next_ = blocks_[used_blocks_].bytes.get();
+        end_ = blocks_[used_blocks_].end();
+        ++used_blocks_;
     }
 
-    std::vector<std::unique_ptr<std::byte[]>> blocks_;
+    void free_unused() {
+        while (blocks_.size() > used_blocks_) {
+            size_ -= blocks_.back().size;
+            blocks_.pop_back();
+        }
+    }
+
+    std::vector<Block> blocks_;
+    std::size_t used_blocks_ = 0;  // those behind are kept for later
     std::byte* next_ = nullptr;
     std::byte* end_ = nullptr;
     std::size_t block_size_ = kFirstBlock;

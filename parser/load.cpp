@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "parser/arena.h"
-#include "parser/checker.h"
-#include "parser/evaluator.h"
+#include "parser/check/checker.h"
+#include "parser/evaluate/evaluator.h"
 #include "parser/file_loader.h"
-#include "parser/parser.h"
 #include "parser/symbols.h"
+#include "parser/syntax/parser.h"
 
 namespace lray::parser {
 
@@ -105,27 +105,28 @@ void warn_of_gaps(const scene::Scene& scene, SourceId main, Diagnostics& diagnos
 
 }  // namespace
 
-std::optional<scene::Scene> load(std::string_view path, const LoadLimits& limits, FileAccess& files,
-                                 Sources& sources, Diagnostics& diagnostics) {
+LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess& files,
+                Sources& sources, Diagnostics& diagnostics) {
+    const LoadLimits& limits = settings.limits;
     FileLoader loader(files, sources, limits, diagnostics);
     const std::optional<SourceId> main = loader.main_scene(path);
-    if (!main) return std::nullopt;
+    if (!main) return {};
 
     scene::Scene scene;
     Symbols symbols;
     Arena arena;
     std::vector<OwnedNumbers> long_lists;
     ParseContext context{
-        sources, symbols, arena, scene, long_lists, limits.nesting, limits.use_literal_fast_path};
+        sources, symbols, arena, scene, long_lists, limits.nesting, settings.use_literal_fast_path};
     IncludeLoader includes(context, loader, limits, diagnostics);
     const std::span<Item* const> program = includes.parse_with_includes(*main);
-    if (!includes.is_structure_known()) return std::nullopt;
+    if (!includes.is_structure_known()) return {};
     const Checked checked = check(program, symbols, sources, limits.nesting, arena, diagnostics);
-    if (diagnostics.has_errors()) return std::nullopt;
+    if (diagnostics.has_errors()) return {};
     evaluate(program, checked, symbols, sources, loader, limits, scene, diagnostics);
-    if (diagnostics.has_errors()) return std::nullopt;
+    if (diagnostics.has_errors()) return {};
     warn_of_gaps(scene, *main, diagnostics);
-    return scene;
+    return {std::move(scene), {}};
 }
 
 }  // namespace lray::parser

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "base/file_access.h"
@@ -13,21 +16,46 @@
 namespace lray::parser {
 
 struct LoadLimits {
-    std::uint64_t scene_bytes = std::uint64_t{1} << 30;  // --max-scene-bytes, of all files
-    std::uint64_t mesh_bytes = std::uint64_t{4} << 30;   // --max-mesh-bytes, of all files
-    std::uint32_t nesting = 256;                         // --max-nesting
-    std::uint32_t include_depth = 64;                    // --max-include-depth
-    std::uint32_t files = 10'000;                        // --max-files
-    std::uint64_t steps = 100'000'000;                   // --max-steps, of evaluation
-    std::uint64_t value_bytes = std::uint64_t{1} << 30;  // --max-value-bytes, of what is computed
-
-    /// Off: literal blocks go through the full parser. The scene is the same; for tests.
-    bool use_literal_fast_path = true;
+    std::uint64_t scene_bytes = std::uint64_t{1} << 30;    // --max-scene-bytes, of all files
+    std::uint64_t mesh_bytes = std::uint64_t{4} << 30;     // --max-mesh-bytes, of all files
+    std::uint32_t nesting = 256;                           // --max-nesting
+    std::uint32_t include_depth = 64;                      // --max-include-depth
+    std::uint32_t files = 10'000;                          // --max-files
+    std::uint64_t steps = 100'000'000;                     // --max-steps, of evaluation
+    std::uint64_t value_bytes = std::uint64_t{1} << 30;    // --max-value-bytes, of what is computed
+    std::uint32_t call_depth = 1000;                       // --max-call-depth
+    std::uint64_t list_size = 100'000'000;                 // --max-list-size, elements of one list
+    std::uint64_t nodes = 50'000'000;                      // --max-nodes, of the scene as written
+    std::uint64_t printed_bytes = std::uint64_t{1} << 20;  // --max-printed-bytes
 };
 
-/// Reads, parses, checks and evaluates a scene with all it includes.
-/// Errors: empty when any error was reported. Warnings may be reported either way.
-std::optional<scene::Scene> load(std::string_view path, const LoadLimits& limits, FileAccess& files,
-                                 Sources& sources, Diagnostics& diagnostics);
+/// `-D name=value`: replaces the default of a `param`.
+struct Definition {
+    std::string name{};  // `lib.name` for a param of an import
+    std::string value{};
+};
+
+struct LoadSettings {
+    LoadLimits limits{};
+    std::vector<Definition> definitions{};
+    double frame = 0.0;  // of the animation: `frame`, and `time` = start + frame / fps
+    std::function<void(std::string_view)> print{};  // takes each printed line; none: dropped
+
+    /// Off: no literal fast path, and components are evaluated at each use. The scene is the same;
+    /// for tests.
+    bool use_literal_fast_path = true;
+    bool use_memo = true;
+};
+
+struct LoadResult {
+    std::optional<scene::Scene> scene{};        // empty when any error was reported
+    std::vector<std::string> usage_mistakes{};  // of the definitions, a sentence each
+};
+
+/// Reads, parses, checks and evaluates a scene with all it includes and imports.
+/// Errors: no scene, reported; or what is wrong with the definitions, in `usage_mistakes`.
+/// Warnings may be reported either way.
+LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess& files,
+                Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace lray::parser

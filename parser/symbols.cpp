@@ -1,7 +1,7 @@
 #include "parser/symbols.h"
 
-#include "parser/schema.h"
-#include "parser/token.h"
+#include "parser/blocks/schema.h"
+#include "parser/syntax/token.h"
 
 namespace lray::parser {
 

@@ -72,7 +72,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                           .nesting = 256,
                                           .include_depth = 8,
                                           .files = 32};
-    const auto scene = lray::parser::load(path, limits, files, sources, diagnostics);
+    const auto scene =
+        lray::parser::load(path, {.limits = limits}, files, sources, diagnostics).scene;
     LRAY_ASSERT(scene.has_value() == !diagnostics.has_errors());
     if (scene) {
         const auto world = lray::scene::flatten(*scene, {.primitives = 10'000}, diagnostics);

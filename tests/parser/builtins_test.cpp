@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "image/srgb.h"
-#include "parser/builtins.h"
+#include "parser/builtins/builtins.h"
 #include "tests/parser/evaluate.h"
 #include "tests/parser/loaded.h"
 

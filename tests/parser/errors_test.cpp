@@ -163,7 +163,7 @@ class ErrorCorpus : public ::testing::TestWithParam<std::string> {
 TEST_P(ErrorCorpus, SaysExactlyWhatIsExpected) {
     const std::filesystem::path path = kCorpus / (GetParam() + ".lrs");
     const Limits limits = limits_of(read_bytes(path.string()));
-    Loaded loaded = load_file(GetParam() + ".lrs", limits.load);
+    Loaded loaded = load_file(GetParam() + ".lrs", with_limits(limits.load));
     EXPECT_EQ(loaded.scene.has_value(), !loaded.has_errors());
     if (loaded.scene) {
         const auto world = scene::flatten(*loaded.scene, limits.flatten, loaded.diagnostics);

@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "base/assert.h"
-#include "parser/builtins.h"
-#include "parser/prelude.h"
-#include "parser/schema.h"
-#include "parser/token.h"
-#include "parser/value.h"
+#include "parser/blocks/schema.h"
+#include "parser/builtins/builtins.h"
+#include "parser/builtins/prelude.h"
+#include "parser/syntax/token.h"
+#include "parser/values/value.h"
 
 namespace lray::parser {
 
@@ -130,6 +130,22 @@ std::string in_words(ParameterType type) {
             return "3 or 4 rows of 4 numbers";
         case ParameterType::any_scale:
             return "number or 3 numbers";
+        case ParameterType::any:
+            return "any value";
+        case ParameterType::integer:
+            return "whole number";
+        case ParameterType::string:
+            return "string";
+        case ParameterType::list:
+            return "list";
+        case ParameterType::numbers:
+            return "list of numbers";
+        case ParameterType::function:
+            return "function";
+        case ParameterType::node:
+            return "node";
+        case ParameterType::position:
+            return "number or 2 or 3 numbers";
     }
     LRAY_ASSERT(false);
 }

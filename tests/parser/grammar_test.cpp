@@ -10,8 +10,8 @@
 #include <regex>
 #include <sstream>
 
+#include "parser/blocks/schema.h"
 #include "parser/load.h"
-#include "parser/schema.h"
 #include "tests/parser/grammar_tables.h"
 #include "tests/support/temp_directory.h"
 
@@ -67,7 +67,7 @@ class Loaded {
         }
         FileAccess access;
         const std::string path = directory_.write("snippet.lrs", text);
-        has_scene_ = load(path, {}, access, sources_, diagnostics_).has_value();
+        has_scene_ = parser::load(path, {}, access, sources_, diagnostics_).scene.has_value();
     }
 
     bool has_scene() const { return has_scene_; }
@@ -186,9 +186,9 @@ TEST(Grammar, ProductionsAreThoseAboveTheParserFunctions) {
     std::size_t count = 0;
     for (const std::string file : {"parser_items.cpp", "parser_expr.cpp"}) {
         const std::string source =
-            test::read_bytes(std::string(LRAY_SOURCE_DIR) + "/parser/" + file);
+            test::read_bytes(std::string(LRAY_SOURCE_DIR) + "/parser/syntax/" + file);
         for (const auto& [name, body] : productions_of(production_comments(source))) {
-            EXPECT_EQ(written[name], body) << name << " of parser/" << file;
+            EXPECT_EQ(written[name], body) << name << " of parser/syntax/" << file;
             ++count;
         }
     }

@@ -198,7 +198,7 @@ TEST(HostileText, APartOfEachNameIsFoundAmongMany) {
         mesh += fmt::format("g part{}\nf 1 2 3\n", i);
         text += fmt::format("mesh {{ file: \"m.obj\", part: \"part{}\" }}\n", i);
     }
-    const Loaded loaded = load_text(text, {}, {{"m.obj", mesh}});
+    const Loaded loaded = load_text(text, parser::LoadSettings{}, {{"m.obj", mesh}});
     ASSERT_TRUE(loaded.scene.has_value()) << loaded.text();
     const scene::MeshUse& last = loaded.scene->mesh_uses.back();
     EXPECT_EQ(loaded.scene->meshes[0].parts[last.part].name, "part49999");
@@ -332,7 +332,7 @@ TEST(LiteralShortCut, GeneratedScenesAreTheSameWithoutIt) {
     const std::uint64_t seed = 3;
     LRAY_TRACE_SEED(seed);
     Random random(seed);
-    parser::LoadLimits without;
+    parser::LoadSettings without;
     without.use_literal_fast_path = false;
     int scenes = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -345,7 +345,7 @@ TEST(LiteralShortCut, GeneratedScenesAreTheSameWithoutIt) {
 }
 
 TEST(LiteralShortCut, ExamplesAreTheSameWithoutIt) {
-    parser::LoadLimits without;
+    parser::LoadSettings without;
     without.use_literal_fast_path = false;
     const Examples examples;
     for (const std::string& name : examples.names()) {
@@ -357,7 +357,7 @@ TEST(LiteralShortCut, ExamplesAreTheSameWithoutIt) {
 }
 
 TEST(LiteralShortCut, MistakesReadTheSameWithoutIt) {
-    parser::LoadLimits without;
+    parser::LoadSettings without;
     without.use_literal_fast_path = false;
     for (const char* text :
          {"sphere { radius: -1 }", "sphere { radius: 0 }", "sphere { radius: 1, radius: 2 }",

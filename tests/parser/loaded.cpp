@@ -25,19 +25,19 @@ std::string Loaded::text() const {
     return text;
 }
 
-Loaded load_file(const std::string& path, const parser::LoadLimits& limits) {
+Loaded load_file(const std::string& path, const parser::LoadSettings& settings) {
     Loaded loaded;
     FileAccess files;
-    loaded.scene = parser::load(path, limits, files, loaded.sources, loaded.diagnostics);
+    loaded.scene = parser::load(path, settings, files, loaded.sources, loaded.diagnostics).scene;
     return loaded;
 }
 
-Loaded load_text(std::string_view text, const parser::LoadLimits& limits,
+Loaded load_text(std::string_view text, const parser::LoadSettings& settings,
                  const std::vector<Companion>& companions) {
     const TempDirectory directory;
     for (const Companion& companion : companions)
         directory.write(companion.name, companion.content);
-    return load_file(directory.write("main.lrs", text), limits);
+    return load_file(directory.write("main.lrs", text), settings);
 }
 
 std::string place_of(const Sources& sources, Span span) {
@@ -59,10 +59,10 @@ Examples::Examples() {
 }
 
 Loaded Examples::load_changed(const std::string& name, std::string_view changed,
-                              const parser::LoadLimits& limits) const {
+                              const parser::LoadSettings& settings) const {
     const std::string before = text(name);
     directory_.write(name, changed);
-    Loaded loaded = load_file(directory_.path(name), limits);
+    Loaded loaded = load_file(directory_.path(name), settings);
     directory_.write(name, before);
     return loaded;
 }

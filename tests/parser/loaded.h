@@ -38,11 +38,23 @@ struct Companion {
     std::string_view content{};
 };
 
-Loaded load_file(const std::string& path, const parser::LoadLimits& limits = {});
+/// Settings with these limits.
+inline parser::LoadSettings with_limits(const parser::LoadLimits& limits) {
+    parser::LoadSettings settings;
+    settings.limits = limits;
+    return settings;
+}
+
+Loaded load_file(const std::string& path, const parser::LoadSettings& settings = {});
 
 /// Loads the text as `main.lrs` in a directory with the companions.
-Loaded load_text(std::string_view text, const parser::LoadLimits& limits = {},
+Loaded load_text(std::string_view text, const parser::LoadSettings& settings = {},
                  const std::vector<Companion>& companions = {});
+
+inline Loaded load_text(std::string_view text, const parser::LoadLimits& limits,
+                        const std::vector<Companion>& companions = {}) {
+    return load_text(text, with_limits(limits), companions);
+}
 
 /// "1:10"; "files/part.lrs:1:10" outside of the main file; "-" for nowhere.
 std::string place_of(const Sources& sources, Span span);
@@ -58,7 +70,7 @@ class Examples {
 
     /// Loads a scene of this name with another text, and puts the old one back.
     Loaded load_changed(const std::string& name, std::string_view text,
-                        const parser::LoadLimits& limits = {}) const;
+                        const parser::LoadSettings& settings = {}) const;
 
  private:
     TempDirectory directory_;

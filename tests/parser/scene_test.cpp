@@ -12,7 +12,7 @@ namespace {
 
 /// A scene that must be right.
 scene::Scene right(std::string_view text, const std::vector<Companion>& companions = {}) {
-    Loaded loaded = load_text(text, {}, companions);
+    Loaded loaded = load_text(text, parser::LoadSettings{}, companions);
     EXPECT_FALSE(loaded.has_errors()) << text << "\n" << loaded.text();
     return loaded.scene ? std::move(*loaded.scene) : scene::Scene{};
 }
@@ -331,12 +331,14 @@ TEST(Includes, InAGroupAddTheirThingsToIt) {
 }
 
 TEST(Includes, TwiceInOnePlaceDefinesNamesTwice) {
-    EXPECT_EQ(
-        load_text("include \"a.lrs\"\ninclude \"a.lrs\"", {}, {{"a.lrs", "let r = 1"}}).codes(),
-        "E0203");
-    EXPECT_EQ(
-        load_text("include \"a.lrs\"\ninclude \"a.lrs\"", {}, {{"a.lrs", "sphere { }"}}).codes(),
-        "W1501");
+    EXPECT_EQ(load_text("include \"a.lrs\"\ninclude \"a.lrs\"", parser::LoadSettings{},
+                        {{"a.lrs", "let r = 1"}})
+                  .codes(),
+              "E0203");
+    EXPECT_EQ(load_text("include \"a.lrs\"\ninclude \"a.lrs\"", parser::LoadSettings{},
+                        {{"a.lrs", "sphere { }"}})
+                  .codes(),
+              "W1501");
 }
 
 TEST(Files, AnAbsolutePathWarns) {

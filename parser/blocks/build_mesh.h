@@ -1,0 +1,22 @@
+// Property values to meshes: from a file, or from lists in the scene.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "base/diagnostics.h"
+#include "parser/blocks/property_values.h"
+#include "parser/file_loader.h"
+#include "scene/scene.h"
+
+namespace lray::parser {
+
+/// Returns the use of the mesh that the properties describe; a mesh that is new joins the scene.
+/// Errors: empty; what the file loader reports, E0403 no such part, E0702 index, E0704 empty, each
+/// at the property's value.
+std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
+                                         const std::array<Span, kMaxProperties>& value_spans,
+                                         Span span, FileLoader& files, scene::Scene& scene,
+                                         Diagnostics& diagnostics);
+
+}  // namespace lray::parser

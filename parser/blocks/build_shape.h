@@ -1,0 +1,26 @@
+// Property values to shapes of the scene.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/diagnostics.h"
+#include "parser/blocks/property_values.h"
+#include "parser/blocks/schema.h"
+#include "scene/scene.h"
+
+namespace lray::parser {
+
+/// A shape in its scene: what a node refers to.
+struct ShapeRef {
+    scene::NodeKind kind{};
+    std::uint32_t index = 0;
+};
+
+/// Adds the shape that the properties describe to the scene. Not for groups and meshes.
+/// Errors: empty when the properties contradict each other (E0304, E0411), reported at the block;
+/// warns W1201 of a shape without area.
+std::optional<ShapeRef> build_shape(const BlockSchema& schema, const PropertyValues& values,
+                                    Span span, scene::Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace lray::parser

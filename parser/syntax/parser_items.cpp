@@ -1,0 +1,421 @@
+// The parser's items: what stands between separators in a file or in braces.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "parser/blocks/schema.h"
+#include "parser/syntax/parser_state.h"
+
+namespace lray::parser {
+
+namespace {
+
+/// Tokens that go on with what stands before them.
+constexpr bool is_operator(TokenKind kind) {
+    return (kind >= TokenKind::colon && kind <= TokenKind::greater_equal) ||
+           is_one_of(kind, TokenKind::kw_and, TokenKind::kw_or);
+}
+
+}  // namespace
+
+ParsedFile parse(SourceId source, ParseContext& context, Diagnostics& diagnostics) {
+    Diagnostics by_braces;
+    ParsedFile file = Parser(source, context, Structure::braces, by_braces).file();
+    if (file.is_structure_known) {
+        diagnostics.append(by_braces);
+        return file;
+    }
+    Diagnostics by_indentation;
+    ParsedFile second = Parser(source, context, Structure::indentation, by_indentation).file();
+    const bool is_better =
+        by_indentation.error_count() > 0 && by_indentation.error_count() <= by_braces.error_count();
+    diagnostics.append(is_better ? by_indentation : by_braces);
+    return file;
+}
+
+Parser::Parser(SourceId source, ParseContext& context, Structure structure,
+               Diagnostics& diagnostics)
+    : context_(context),
+      diagnostics_(diagnostics),
+      lexer_(context.sources, source, context.symbols, diagnostics),
+      source_(source),
+      structure_(structure) {
+    advance();
+    previous_end_ = 0;
+}
+
+// file = { SEP } [ "lrs" VERSION ( SEP | EOF ) ] items EOF
+ParsedFile Parser::file() {
+    version();
+    ParsedFile result;
+    result.items = items(true);
+    result.includes = std::move(includes_);
+    result.is_structure_known = is_structure_known_;
+    return result;
+}
+
+void Parser::version() {
+    const bool is_version = token_.kind == TokenKind::identifier && text_of(token_) == "lrs" &&
+                            ahead().kind == TokenKind::number && !ahead().newline_before;
+    if (!is_version) return;
+    advance();
+    const Token number = token_;
+    const std::string_view text = text_of(number);
+    advance();
+    const std::string_view major = text.substr(0, text.find('.'));
+    if (major == "1") return;
+    if (number.number > 1.0) {
+        error(Code::E0603, span_of(number),
+              fmt::format("this scene is written in lrs {}; this program reads lrs 1", text));
+    } else {
+        error(Code::E0603, span_of(number), fmt::format("there is no lrs {}", text))
+            .with_help("the first version is `lrs 1.0`");
+    }
+}
+
+// The version of an included file stands at its begin, too.
+void Parser::misplaced_version() {
+    error(Code::E0118, span_of(token_), "`lrs` and a version stand at the very begin of a file");
+    skip_line();
+    is_panicking_ = false;
+}
+
+// items = { SEP } [ item { sep item } ] { SEP }
+// sep   = SEP { SEP } | (* empty, if the previous item ended in "}" *)
+std::span<Item* const> Parser::items(bool is_file) {
+    std::vector<Item*> result;
+    bool is_first = true;
+    while (!is_ended_) {
+        bool is_separated = std::exchange(is_separated_, false) || is_first;
+        while (token_.kind == TokenKind::comma || token_.kind == TokenKind::semicolon) {
+            advance();
+            is_separated = true;
+        }
+        if (token_.kind == TokenKind::end) break;
+        if (token_.kind == TokenKind::right_brace) {
+            if (!is_file) break;
+            error(Code::E0104, span_of(token_), "`}` closes nothing");
+            is_structure_known_ = false;
+            is_panicking_ = false;
+            advance();
+            is_separated_ = true;
+            continue;
+        }
+        if (!is_file && is_dedented(token_)) break;
+        const bool follows_brace = previous_end_ > 0 && lexer_.begin()[previous_end_ - 1] == '}';
+        if (!is_separated && !token_.newline_before && !follows_brace) {
+            error(Code::E0105, span_of(token_),
+                  fmt::format("expected `,` or a new line before {}", describe(token_)));
+            is_panicking_ = false;  // what follows is read as an item of its own
+        }
+        const std::uint32_t begin = token_.offset;
+        Item* const read = item();
+        if (read != nullptr) {
+            const bool extends_literals = read->kind == ItemKind::literals && !result.empty() &&
+                                          result.back()->kind == ItemKind::literals;
+            if (extends_literals) {
+                ++static_cast<LiteralsItem*>(result.back())->count;
+            } else {
+                result.push_back(read);
+            }
+        }
+        if (is_panicking_) synchronize();
+        if (token_.offset == begin && token_.kind != TokenKind::end && !is_ended_) advance();
+        is_first = false;
+    }
+    return context_.arena.copy(result);
+}
+
+Item* Parser::item() {
+    if (token_.kind == TokenKind::identifier) return head_item();
+    if (token_.kind == TokenKind::kw_let) return let();
+    if (token_.kind == TokenKind::kw_include) return include();
+    if (is_future_keyword(token_.kind) || token_.kind == TokenKind::kw_if) {
+        return future_statement();
+    }
+    bad_statement();
+    return nullptr;
+}
+
+// A keyword whose statement this version does not have, or a word kept for later.
+Item* Parser::future_statement() {
+    const Token keyword = token_;
+    const std::string_view text = text_of(keyword);
+    if (is_one_of(keyword.kind, TokenKind::kw_break, TokenKind::kw_continue)) {
+        error(Code::E0119, span_of(keyword), fmt::format("`{}` outside a loop", text));
+    } else if (keyword.kind == TokenKind::kw_return) {
+        error(Code::E0119, span_of(keyword), "`return` outside a function");
+    } else if (keyword.kind == TokenKind::kw_if) {
+        error(Code::E0120, span_of(keyword), "`if { }` is not available in this version of lray")
+            .with_help("a value can be chosen: `if a then b else c`");
+        skip_balanced();
+        while (token_.kind == TokenKind::kw_else) {
+            advance();
+            skip_balanced();
+        }
+        is_panicking_ = false;
+        return nullptr;
+    } else if (keyword.kind < TokenKind::kw_match) {
+        error(Code::E0120, span_of(keyword),
+              fmt::format("`{}` is not available in this version of lray", text));
+    } else {
+        error(Code::E0114, span_of(keyword),
+              fmt::format("`{}` is a keyword, kept for later", text));
+    }
+    skip_balanced();
+    is_panicking_ = false;
+    return nullptr;
+}
+
+void Parser::bad_statement() {
+    const Token token = token_;
+    using enum TokenKind;
+    if (is_one_of(token.kind, right_bracket, right_paren)) {
+        error(Code::E0104, span_of(token), fmt::format("`{}` closes nothing", text_of(token)));
+    } else if (is_operator(token.kind) && token.newline_before) {
+        error(Code::E0113, span_of(token),
+              fmt::format("a line cannot start with `{}`; end the previous line with it",
+                          text_of(token)));
+    } else if (token.kind == kw_else) {
+        error(Code::E0117, span_of(token), "`else` without `if`");
+    } else if (token.kind == foreign) {
+        foreign_operator(nullptr);
+    } else if (token.kind == left_brace) {
+        error(Code::E0108, span_of(token), "this `{` has nothing in front of it")
+            .with_help("write `group {` to put things together");
+        skip_balanced();
+        is_panicking_ = false;
+        return;
+    } else {
+        error(Code::E0108, span_of(token),
+              fmt::format("a statement cannot start with {}", describe(token)));
+    }
+    skip_line();
+    is_panicking_ = false;
+}
+
+// let = "let" IDENT "=" expr
+Item* Parser::let() {
+    const std::uint32_t begin = token_.offset;
+    advance();
+    if (is_keyword(token_.kind) && !token_.newline_before) {
+        error(Code::E0114, span_of(token_),
+              fmt::format("`{}` is a keyword; choose another name", text_of(token_)));
+        return nullptr;
+    }
+    if (token_.kind != TokenKind::identifier || token_.newline_before) {
+        error(Code::E0102, token_.newline_before ? here() : span_of(token_),
+              "expected a name after `let`");
+        return nullptr;
+    }
+    const Token name = token_;
+    advance();
+    if (token_.kind == TokenKind::colon) {
+        error(Code::E0120, span_of(token_),
+              "types of names are not available in this version of lray")
+            .with_help(fmt::format("write `let {} = ...`", text_of(name)));
+        return nullptr;
+    }
+    LetItem* result = make_item<LetItem>(ItemKind::let, span_of(name));
+    result->name = name.symbol;
+    result->name_span = span_of(name);
+    if (token_.kind == TokenKind::foreign && continues_line()) {
+        foreign_operator(nullptr);
+        result->value = error_expr(span_of(name));
+    } else if (token_.kind != TokenKind::equal) {
+        error(Code::E0107, here(), fmt::format("expected `=` after `{}`", text_of(name)));
+        result->value = error_expr(span_of(name));
+    } else {
+        advance();
+        result->value = value();
+    }
+    result->span = span_from(begin);
+    return result;
+}
+
+// The value of a property or name.
+Expr* Parser::value() {
+    Expr* read = expression();
+    if (skip_list_without_opener(*read)) return error_expr(read->span);
+    if (read->kind != ExprKind::name) return read;
+    const bool is_block = find_block(static_cast<NameExpr*>(read)->symbol) != nullptr;
+    const bool may_lack_brace =
+        token_.newline_before ? is_block : line_closes_too_many_braces(token_);
+    if (may_lack_brace && read_block_without_brace(read->span)) return error_expr(read->span);
+    return read;
+}
+
+// include = "include" STRING
+Item* Parser::include() {
+    const std::uint32_t begin = token_.offset;
+    advance();
+    if (token_.kind != TokenKind::string || token_.newline_before) {
+        error(Code::E0109, token_.newline_before ? here() : span_of(token_),
+              "`include` needs a file name in quotes, like \"materials.lrs\"");
+        return nullptr;
+    }
+    IncludeItem* result = make_item<IncludeItem>(ItemKind::include, span_of(token_));
+    result->path = static_cast<StringExpr*>(string());
+    result->span = span_from(begin);
+    includes_.push_back(result);
+    return result;
+}
+
+// head_item = IDENT ":" expr | IDENT "=" expr | head [ STRING ] body | head
+Item* Parser::head_item() {
+    scene::NodeId node;
+    // The short cut trusts braces; the second run over a file does not.
+    const bool may_be_literal = context_.use_literal_fast_path && structure_ == Structure::braces;
+    if (may_be_literal && literal_block(token_, node)) {
+        LiteralsItem* result =
+            make_item<LiteralsItem>(ItemKind::literals, context_.scene.node(node).span);
+        result->first_node = node.value;
+        result->count = 1;
+        return result;
+    }
+    const Token name = token_;
+    const Token next = ahead();
+    if (next.kind == TokenKind::colon) return property();
+    const bool is_on_line = !next.newline_before;
+    const bool starts_value = next.kind == TokenKind::identifier ||
+                              next.kind == TokenKind::number || next.kind == TokenKind::color ||
+                              next.kind == TokenKind::kw_true || next.kind == TokenKind::kw_false;
+    if (is_on_line && next.kind == TokenKind::number && text_of(name) == "lrs") {
+        misplaced_version();
+        return nullptr;
+    }
+    if (is_on_line && starts_value) return misplaced_name(name);
+
+    NameExpr* head = make<NameExpr>(ExprKind::name, span_of(name));
+    head->symbol = name.symbol;
+    advance();
+    return statement_expression(postfix_of(head));
+}
+
+// property = IDENT ":" expr
+Item* Parser::property() {
+    PropertyItem* result = make_item<PropertyItem>(ItemKind::property, span_of(token_));
+    const Token name = token_;
+    result->name = name.symbol;
+    result->name_span = span_of(name);
+    advance();
+    advance();
+    // A value may stand on the next line, but the next property or the end is no value.
+    const bool has_value = token_.kind != TokenKind::right_brace &&
+                           token_.kind != TokenKind::comma && token_.kind != TokenKind::semicolon &&
+                           token_.kind != TokenKind::end &&
+                           !(token_.newline_before && starts_item(token_, ahead()));
+    if (!has_value) {
+        error(Code::E0109, span_of(name),
+              fmt::format("`{}:` needs a value, like `1`", text_of(name)));
+        is_panicking_ = false;
+        result->value = error_expr(span_of(name));
+        return result;
+    }
+    result->value = value();
+    result->span = span_from(name.offset);
+    return result;
+}
+
+// After a head that is not a property: assignment, block or call.
+Item* Parser::statement_expression(Expr* head) {
+    const Span span = head->span;
+    if (is_panicking_) return nullptr;
+    if (head->kind == ExprKind::block) {
+        BlockItem* result = make_item<BlockItem>(ItemKind::block, span);
+        result->block = static_cast<BlockExpr*>(head);
+        return result;
+    }
+    if (token_.kind == TokenKind::equal && continues_line()) {
+        AssignmentItem* result = make_item<AssignmentItem>(ItemKind::assignment, span);
+        result->target = head;
+        advance();
+        result->value = expression();
+        return result;
+    }
+    if (token_.kind == TokenKind::foreign && continues_line()) {
+        foreign_operator(head);
+        return nullptr;
+    }
+    if (step_operator(*head)) return nullptr;
+    if (head->kind == ExprKind::call) {
+        CallItem* result = make_item<CallItem>(ItemKind::call, span);
+        result->value = head;
+        return result;
+    }
+    const std::string_view text = context_.sources.text(span);
+    const BlockSchema* block = head->kind == ExprKind::name ? find_block(text) : nullptr;
+    if (token_.kind == TokenKind::string && continues_line()) advance();  // a label
+    if (read_block_without_brace(span)) return nullptr;
+    if (block != nullptr) {
+        error(Code::E0107, here(), fmt::format("expected `{{` after `{}`", text));
+        return nullptr;
+    }
+    error(Code::E0107, here(), fmt::format("expected `:` or `{{` after `{}`", text));
+    return nullptr;
+}
+
+// `i++` and `i--`.
+bool Parser::step_operator(const Expr& head) {
+    const bool is_sign = token_.kind == TokenKind::plus || token_.kind == TokenKind::minus;
+    const bool is_doubled = is_sign && ahead().kind == token_.kind && continues_line() &&
+                            ahead().offset == token_.end();
+    if (!is_doubled) return false;
+    error(
+        Code::E0112, lexer_.span(token_.offset, ahead().end()),
+        fmt::format("write `{0} = {0} {1} 1`", context_.sources.text(head.span), text_of(token_)));
+    return true;
+}
+
+// A name with a value behind it and nothing in between.
+Item* Parser::misplaced_name(const Token& name) {
+    const Token next = ahead();
+    const std::string_view text = text_of(name);
+    const bool is_block = find_block(text) != nullptr;
+    advance();
+    if (next.kind == TokenKind::identifier && ahead().kind == TokenKind::left_brace && is_block) {
+        error(Code::E0107, span_of(next),
+              fmt::format("write `let {} = {} {{ ... }}`", text_of(next), text))
+            .with_help(fmt::format("or, as a label: `{} \"{}\" {{ ... }}`", text, text_of(next)));
+        advance();
+        skip_balanced();
+        is_panicking_ = false;
+        return nullptr;
+    }
+    if (read_block_without_brace(span_of(name))) return nullptr;
+    error(Code::E0107, here(), fmt::format("expected `:` after `{}`", text));
+    return nullptr;
+}
+
+// body = "{" items "}"
+Body Parser::body(std::string_view head) {
+    const Token open = token_;
+    Body result;
+    result.open = span_of(open);
+    if (open.newline_before) {
+        error(Code::E0116, span_of(open), fmt::format("put `{{` on the same line as `{}`", head));
+        is_panicking_ = false;
+    }
+    const std::uint32_t outer_brackets = std::exchange(bracket_depth_, 0u);
+    openers_.push_back({open.offset, line_indent(open.offset)});
+    advance();
+    result.items = items(false);
+    const bool is_closed = token_.kind == TokenKind::right_brace && !closes_outer_block(token_);
+    openers_.pop_back();
+    bracket_depth_ = outer_brackets;
+    result.close = span_of(token_);
+    if (is_closed) {
+        advance();
+    } else if (!is_ended_) {
+        is_structure_known_ = false;
+        const bool is_at_end = token_.kind == TokenKind::end;
+        if (!is_at_end || !has_unclosed_) {
+            error(Code::E0103, span_of(open), "this `{` is never closed");
+            is_panicking_ = false;
+        }
+        has_unclosed_ = has_unclosed_ || is_at_end;
+    }
+    return result;
+}
+
+}  // namespace lray::parser

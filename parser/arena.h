@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <new>
 #include <span>
@@ -50,6 +51,8 @@ class Arena {
     struct Mark {
         std::size_t block_count = 0;
         std::byte* next = nullptr;
+
+        friend bool operator==(const Mark&, const Mark&) = default;
     };
 
     Mark mark() const { return {used_blocks_, next_}; }
@@ -60,6 +63,30 @@ class Arena {
         if (used_blocks_ == mark.block_count) return;
         used_blocks_ = mark.block_count;
         end_ = used_blocks_ == 0 ? nullptr : blocks_[used_blocks_ - 1].end();
+    }
+
+    /// True if `at` was allocated since the mark was taken.
+    bool holds(const void* at, const Mark& mark) const {
+        const auto* const byte = static_cast<const std::byte*>(at);
+        const std::less<> is_before;
+        for (std::size_t i = used_blocks_; i-- > mark.block_count;) {
+            const Block& block = blocks_[i];
+            const bool is_inside =
+                !is_before(byte, block.bytes.get()) && is_before(byte, block.end());
+            if (is_inside) return true;
+        }
+        if (mark.block_count == 0) return false;
+        return !is_before(byte, mark.next) && is_before(byte, blocks_[mark.block_count - 1].end());
+    }
+
+    /// Bytes allocated since the mark was taken, or a few more.
+    std::size_t size_since(const Mark& mark) const {
+        if (used_blocks_ == mark.block_count) {
+            return static_cast<std::size_t>(next_ - mark.next);
+        }
+        std::size_t size = 0;
+        for (std::size_t i = mark.block_count; i < used_blocks_; ++i) size += blocks_[i].size;
+        return size;
     }
 
     /// Bytes taken from the system.
@@ -79,7 +106,7 @@ class Arena {
 
  private:
     static constexpr std::size_t kFirstBlock = std::size_t{16} << 10;
-    static constexpr std::size_t kLargestBlock = std::size_t{1} << 20;
+    static constexpr std::size_t kLargestBlock = std::size_t{16} << 20;
 
     struct Block {
         std::unique_ptr<std::byte[]> bytes{};

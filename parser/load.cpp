@@ -3,93 +3,21 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "parser/arena.h"
 #include "parser/check/checker.h"
+#include "parser/definitions.h"
 #include "parser/evaluate/evaluator.h"
 #include "parser/file_loader.h"
+#include "parser/program_loader.h"
 #include "parser/symbols.h"
 #include "parser/syntax/parser.h"
 
 namespace lray::parser {
 
 namespace {
-
-/// Parses files and, one inside the other, the files they include.
-class IncludeLoader {
- public:
-    IncludeLoader(ParseContext& context, FileLoader& files, const LoadLimits& limits,
-                  Diagnostics& diagnostics)
-        : context_(context), files_(files), limits_(limits), diagnostics_(diagnostics) {}
-
-    /// Returns the items of a source, with those of its includes below them. Recurses as deep as
-    /// the include limit allows.
-    std::span<Item* const> parse_with_includes(SourceId source) {
-        ParsedFile file = parse(source, context_, diagnostics_);
-        is_structure_known_ = is_structure_known_ && file.is_structure_known;
-        open_.push_back(source);
-        for (IncludeItem* include : file.includes) load(*include);
-        open_.pop_back();
-        return file.items;
-    }
-
-    bool is_structure_known() const { return is_structure_known_; }
-
- private:
-    void load(IncludeItem& include) {
-        const SourceId from = open_.back();
-        const Span span = include.path->span;
-        const std::optional<SourceId> source = files_.scene(include.path->value, from, span);
-        if (!source) return;
-        if (is_open(*source)) {
-            report_cycle(*source, span);
-            return;
-        }
-        if (open_.size() > limits_.include_depth) {
-            diagnostics_
-                .error(Code::E0515, span,
-                       fmt::format("includes are nested more than {} deep", limits_.include_depth))
-                .with_help("raise the limit with `--max-include-depth N`");
-            return;
-        }
-        include.items = parse_with_includes(*source);
-        include.is_loaded = true;
-    }
-
-    // Two names of one file (a link) are not recognised as a cycle; the depth limit ends it.
-    bool is_open(SourceId source) const {
-        for (const SourceId opened : open_) {
-            if (path(opened) == path(source)) return true;
-        }
-        return false;
-    }
-
-    const std::string& path(SourceId source) const { return context_.sources[source].path; }
-
-    void report_cycle(SourceId source, Span span) {
-        std::string chain;
-        bool is_in_cycle = false;
-        for (const SourceId opened : open_) {
-            is_in_cycle = is_in_cycle || path(opened) == path(source);
-            if (is_in_cycle) chain += fmt::format("{} -> ", path(opened));
-        }
-        chain += path(source);
-        const bool is_itself = path(open_.back()) == path(source);
-        diagnostics_
-            .error(Code::E0602, span,
-                   is_itself ? fmt::format("{} includes itself", path(source))
-                             : fmt::format("{} is already being included", path(source)))
-            .with_note(fmt::format("the chain is {}", chain));
-    }
-
-    ParseContext& context_;
-    FileLoader& files_;
-    const LoadLimits& limits_;
-    Diagnostics& diagnostics_;
-    std::vector<SourceId> open_;
-    bool is_structure_known_ = true;
-};
 
 void warn_of_gaps(const scene::Scene& scene, SourceId main, Diagnostics& diagnostics) {
     const Span begin = Span::make(main, 0, 0);
@@ -118,15 +46,23 @@ LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess&
     std::vector<OwnedNumbers> long_lists;
     ParseContext context{
         sources, symbols, arena, scene, long_lists, limits.nesting, settings.use_literal_fast_path};
-    IncludeLoader includes(context, loader, limits, diagnostics);
-    const std::span<Item* const> program = includes.parse_with_includes(*main);
-    if (!includes.is_structure_known()) return {};
-    const Checked checked = check(program, symbols, sources, limits.nesting, arena, diagnostics);
+    ProgramLoader program(context, loader, limits, diagnostics);
+    const std::span<Item* const> items = program.parse(*main);
+    if (!program.is_structure_known()) return {};
+    const Checked checked = check(items, symbols, sources, limits.nesting, arena, diagnostics);
     if (diagnostics.has_errors()) return {};
-    evaluate(program, checked, symbols, sources, loader, limits, scene, diagnostics);
-    if (diagnostics.has_errors()) return {};
+
+    LoadResult result;
+    Environment environment{checked, symbols, sources, loader, settings, 0.0, {}, {}};
+    environment.usage_mistakes = &result.usage_mistakes;
+    environment.params =
+        read_definitions(settings.definitions, checked, context, result.usage_mistakes);
+    if (!result.usage_mistakes.empty()) return result;
+    evaluate(items, environment, scene, diagnostics);
+    if (diagnostics.has_errors() || !result.usage_mistakes.empty()) return result;
     warn_of_gaps(scene, *main, diagnostics);
-    return {std::move(scene), {}};
+    result.scene = std::move(scene);
+    return result;
 }
 
 }  // namespace lray::parser

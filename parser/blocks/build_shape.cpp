@@ -224,6 +224,8 @@ std::optional<ShapeRef> build_shape(const BlockSchema& schema, const PropertyVal
         case BlockKind::camera:
         case BlockKind::render:
         case BlockKind::info:
+        case BlockKind::record:
+        case BlockKind::component:
             break;
     }
     LRAY_ASSERT(false);

@@ -283,6 +283,8 @@ Value Fitting::fit() {
             return rows(2, "a list of pairs, like [[0, 0], [1, 0]]", false);
         case PropertyType::index_triples:
             return rows(3, "a list of triples, like [[0, 1, 2]]", true);
+        case PropertyType::any:
+            return value_;
     }
     LRAY_ASSERT(false);
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "base/assert.h"
@@ -19,6 +20,9 @@ class PropertyValues {
     bool has(std::size_t slot) const { return values_[slot].kind != ValueKind::none; }
     void set(std::size_t slot, const Value& value) { values_[slot] = value; }
     const Value& operator[](std::size_t slot) const { return values_[slot]; }
+
+    /// Shape: one for each property.
+    std::span<const Value> all() const { return {values_.data(), properties_.size()}; }
 
     double number(std::size_t slot) const {
         const Value& value = values_[slot];

@@ -17,25 +17,26 @@ enum class PropertyType : std::uint8_t {
     integer,
     boolean,
     string,
-    option,        // one of a list of strings
-    point,         // three numbers; a colour is not a point
-    direction,     // three numbers, not all 0
-    vec2,          // two numbers
-    size2,         // two numbers greater than 0
-    size3,         // three numbers greater than 0
-    color,         // colour, number or three numbers
-    angle,         // degrees
-    scale,         // number or three numbers, none 0
-    rotation,      // three angles or a transform
-    matrix,        // three or four rows of four numbers
-    transform,     // a transform or a list of them
-    material,      // a material
-    roughness,     // number or two numbers, 0 to 1
-    resolution,    // two whole numbers
-    file,          // a string that names a file
-    points,        // rows of three numbers
-    uvs,           // rows of two numbers
-    index_triples  // rows of three whole numbers
+    option,         // one of a list of strings
+    point,          // three numbers; a colour is not a point
+    direction,      // three numbers, not all 0
+    vec2,           // two numbers
+    size2,          // two numbers greater than 0
+    size3,          // three numbers greater than 0
+    color,          // colour, number or three numbers
+    angle,          // degrees
+    scale,          // number or three numbers, none 0
+    rotation,       // three angles or a transform
+    matrix,         // three or four rows of four numbers
+    transform,      // a transform or a list of them
+    material,       // a material
+    roughness,      // number or two numbers, 0 to 1
+    resolution,     // two whole numbers
+    file,           // a string that names a file
+    points,         // rows of three numbers
+    uvs,            // rows of two numbers
+    index_triples,  // rows of three whole numbers
+    any             // parameters of components
 };
 
 /// Bounds of a number, or of each number of a vector.
@@ -84,11 +85,13 @@ enum class BlockKind : std::uint8_t {
     camera,
     render,
     info,
+    record,
+    component,  // of the scene; has no table of its own
 };
-inline constexpr std::size_t kBlockKindCount = 13;
+inline constexpr std::size_t kBlockKindCount = 14;  // that are built in
 
 /// The most properties a block has: the size of the evaluator's slot array.
-inline constexpr std::size_t kMaxProperties = 20;
+inline constexpr std::size_t kMaxProperties = 32;
 
 struct BlockSchema {
     BlockKind kind{};
@@ -100,6 +103,7 @@ struct BlockSchema {
     bool is_placeable = false;
     bool has_children = false;
     bool takes_any_string = false;  // `info`: any name, a string each
+    bool takes_any_value = false;   // `record`: any name, any value
 };
 
 /// Properties that every placeable block has besides its own. Transform steps are the only ones

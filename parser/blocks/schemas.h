@@ -136,6 +136,7 @@ inline constexpr std::array<BlockSchema, kBlockKindCount> kBlocks = {{
     {BlockKind::camera, "camera", "a view; the first one is the default", kCamera},
     {BlockKind::render, "render", "settings of the picture", kRender},
     {BlockKind::info, "info", "title, author, license: copied into the picture", {}, false, false, true},
+    {BlockKind::record, "record", "values put together under names of your own", {}, false, false, false, true},
 }};
 // clang-format on
 

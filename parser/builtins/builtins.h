@@ -88,7 +88,8 @@ struct Builtin {
     double (*of_number)(double) = nullptr;  // the same for one number, without ceremony
     bool is_variadic = false;               // takes any more arguments, of `rest_type` each
     ParameterType rest_type = ParameterType::any;
-    bool has_effects = false;  // prints: a component that calls it is evaluated for each use
+    bool has_effects = false;   // prints: a component that calls it is evaluated for each use
+    bool is_statement = false;  // is called for what it does, not for its value
 
     std::size_t parameter_count() const;
     std::size_t required_count() const;

@@ -2,63 +2,88 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <string_view>
-#include <vector>
-
 #include "base/did_you_mean.h"
 
 namespace lray::parser {
 
-void check_arguments(const CallExpr& expr, const Builtin& builtin, const Symbols& symbols,
-                     Diagnostics& diagnostics) {
-    const std::size_t count = builtin.parameter_count();
-    std::array<Span, kMaxParameters> given{};
-    std::size_t position = 0;
+Signature signature_of(const Builtin& builtin) {
+    Signature signature;
+    signature.name = builtin.name;
+    signature.is_variadic = builtin.is_variadic;
+    for (std::size_t i = 0; i < builtin.parameter_count(); ++i) {
+        const Parameter& parameter = builtin.parameters[i];
+        signature.parameters.push_back({parameter.name, !parameter.is_optional});
+    }
+    return signature;
+}
+
+Signature signature_of(const Function& function, const Symbols& symbols) {
+    Signature signature;
+    signature.name = function.name == kNoSymbol ? std::string_view{"this function"}
+                                                : symbols.text(function.name);
+    for (const ParameterDecl& parameter : function.parameters) {
+        signature.parameters.push_back(
+            {symbols.text(parameter.name), parameter.default_value == nullptr});
+    }
+    return signature;
+}
+
+std::span<const std::uint8_t> check_arguments(const CallExpr& expr, const Signature& signature,
+                                              const Symbols& symbols, Arena& arena,
+                                              Diagnostics& diagnostics) {
+    const std::vector<Signature::Parameter>& parameters = signature.parameters;
+    std::vector<Span> given(parameters.size());
+    std::vector<std::uint8_t> places;
     bool has_named = false;
     for (const Argument& argument : expr.arguments) {
-        std::size_t place = position++;
+        std::size_t place = places.size();
         if (argument.name != kNoSymbol) {
             has_named = true;
             const std::string_view text = symbols.text(argument.name);
             place = 0;
-            while (place < count && builtin.parameters[place].name != text) ++place;
-            if (place == count) {
+            while (place < parameters.size() && parameters[place].name != text) ++place;
+            if (place == parameters.size()) {
                 std::vector<std::string_view> names;
-                for (std::size_t i = 0; i < count; ++i) names.push_back(builtin.parameters[i].name);
+                for (const Signature::Parameter& known : parameters) names.push_back(known.name);
                 diagnostics
                     .error(Code::E0306, argument.name_span,
-                           fmt::format("`{}` has no argument `{}`", builtin.name, text))
+                           fmt::format("`{}` has no argument `{}`", signature.name, text))
                     .with_hint(did_you_mean(text, names));
-                return;
+                return {};
             }
         } else if (has_named) {
             diagnostics.error(Code::E0306, argument.value->span,
                               "arguments without a name come before those with one");
-            return;
+            return {};
         }
-        if (place >= count) {
+        if (place >= parameters.size()) {
+            if (signature.is_variadic) {
+                places.push_back(kRestPlace);
+                continue;
+            }
             diagnostics.error(Code::E0306, argument.value->span,
-                              fmt::format("`{}` takes {} argument{}", builtin.name, count,
-                                          count == 1 ? "" : "s"));
-            return;
+                              fmt::format("`{}` takes {} argument{}", signature.name,
+                                          parameters.size(), parameters.size() == 1 ? "" : "s"));
+            return {};
         }
         if (!given[place].is_nowhere()) {
             diagnostics
                 .error(Code::E0306, argument.value->span,
-                       fmt::format("`{}` is given twice", builtin.parameters[place].name))
+                       fmt::format("`{}` is given twice", parameters[place].name))
                 .with_label(given[place], "first given here");
-            continue;
+            return {};
         }
         given[place] = argument.value->span;
+        places.push_back(static_cast<std::uint8_t>(place));
     }
-    for (std::size_t i = 0; i < builtin.required_count(); ++i) {
-        if (!given[i].is_nowhere()) continue;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (!parameters[i].is_required || !given[i].is_nowhere()) continue;
         diagnostics.error(
             Code::E0305, expr.span,
-            fmt::format("`{}` needs its argument `{}`", builtin.name, builtin.parameters[i].name));
-        return;
+            fmt::format("`{}` needs its argument `{}`", signature.name, parameters[i].name));
+        return {};
     }
+    return arena.copy(places);
 }
 
 }  // namespace lray::parser

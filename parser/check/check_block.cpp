@@ -14,6 +14,61 @@ namespace lray::parser {
 
 namespace {
 
+// Returns true if two forms are mixed.
+bool mixes_forms(const BlockSchema& schema, std::span<const Span> set, Diagnostics& diagnostics) {
+    const std::span<const PropertySchema> properties = schema.properties;
+    std::size_t first = properties.size();
+    std::size_t second = properties.size();
+    for (std::size_t slot = properties.size(); slot-- > 0;) {
+        if (set[slot].is_nowhere()) continue;
+        if (properties[slot].form == Form::first) first = slot;
+        if (properties[slot].form == Form::second) second = slot;
+    }
+    if (first == properties.size() || second == properties.size()) return false;
+    const bool first_is_later = set[first].offset > set[second].offset;
+    const Span later = set[first_is_later ? first : second];
+    const Span earlier = set[first_is_later ? second : first];
+    diagnostics
+        .error(Code::E0411, later,
+               fmt::format("give `{}` or `{}`, not both", properties[first].name,
+                           properties[second].name))
+        .with_label(earlier, "the other one");
+    return true;
+}
+
+bool lacks_required(const BlockSchema& schema, std::span<const Span> set, Span head,
+                    Diagnostics& diagnostics) {
+    bool has_second = false;
+    bool has_first_required = false;
+    const std::span<const PropertySchema> properties = schema.properties;
+    for (std::size_t slot = 0; slot < properties.size(); ++slot) {
+        const bool is_set = !set[slot].is_nowhere();
+        has_second = has_second || (is_set && properties[slot].form == Form::second);
+        has_first_required = has_first_required ||
+                             (properties[slot].form == Form::first && properties[slot].is_required);
+    }
+    std::vector<std::string_view> missing;
+    for (std::size_t slot = 0; slot < properties.size(); ++slot) {
+        const PropertySchema& property = properties[slot];
+        const bool is_needed =
+            property.is_required && set[slot].is_nowhere() &&
+            (property.form == Form::any || (property.form == Form::second && has_second) ||
+             (property.form == Form::first && !has_second));
+        if (is_needed) missing.push_back(property.name);
+    }
+    if (missing.empty()) return false;
+    std::string names;
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        const std::string_view joint = i == 0 ? "" : i + 1 == missing.size() ? " and " : ", ";
+        names += fmt::format("{}`{}`", joint, missing[i]);
+    }
+    if (schema.kind == BlockKind::mesh && !has_second) {
+        names = "`file`, or `positions` and `triangles`";
+    }
+    diagnostics.error(Code::E0406, head, fmt::format("{} needs {}", schema.name, names));
+    return true;
+}
+
 class BlockCheck {
  public:
     BlockCheck(const BlockSchema& schema, const BlockExpr& block, BlockUse use,
@@ -26,11 +81,15 @@ class BlockCheck {
           diagnostics_(diagnostics) {}
 
     bool check() {
-        items(block_.body.items);
-        if (!schema_.takes_any_string) {
+        items(block_.body.items, true);
+        if (!schema_.takes_any_string && !schema_.takes_any_value) {
             // Of two forms mixed, what else is missing depends on which one is meant.
-            if (!forms() && use_ == BlockUse::make) required();
-            if (schema_.kind == BlockKind::material) unused_by_model();
+            if (!has_conditions_) {
+                is_right_ = check_complete(schema_, set_, block_.head->span, use_ == BlockUse::make,
+                                           diagnostics_) &&
+                            is_right_;
+            }
+            if (schema_.kind == BlockKind::material && !has_conditions_) unused_by_model();
         }
         return is_right_;
     }
@@ -43,14 +102,12 @@ class BlockCheck {
 
     std::string head() const { return std::string(sources_.text(block_.head->span)); }
 
-    void items(std::span<Item* const> list);
-    void property(const PropertyItem& item);
+    void items(std::span<Item* const> list, bool is_certain);
+    void property(const PropertyItem& item, bool is_certain);
     void unknown_property(const PropertyItem& item, std::string_view name);
-    void child(const BlockItem& item);
+    void child(const BlockItem& item, bool is_certain);
     void set_once(Span& first, Span now, std::string_view name);
     void no_children(Span span);
-    bool forms();
-    void required();
     void unused_by_model();
     std::string_view model() const;
 
@@ -61,27 +118,41 @@ class BlockCheck {
     const Sources& sources_;
     Diagnostics& diagnostics_;
     std::array<Span, kMaxProperties> set_{};
+    bool has_conditions_ = false;  // what is set in the end is seen when it runs
     std::array<Span, kCommonPropertyCount> set_common_{};
     std::vector<std::pair<Symbol, Span>> set_strings_;
     const Expr* model_ = nullptr;
     bool is_right_ = true;
 };
 
-void BlockCheck::items(std::span<Item* const> list) {
+void BlockCheck::items(std::span<Item* const> list, bool is_certain) {
+    has_conditions_ = has_conditions_ || !is_certain;
     for (const Item* item : list) {
         switch (item->kind) {
             case ItemKind::property:
-                property(static_cast<const PropertyItem&>(*item));
+                property(static_cast<const PropertyItem&>(*item), is_certain);
                 break;
             case ItemKind::block:
-                child(static_cast<const BlockItem&>(*item));
+                child(static_cast<const BlockItem&>(*item), is_certain);
+                break;
+            case ItemKind::conditional: {
+                const ConditionalItem& choice = static_cast<const ConditionalItem&>(*item);
+                items(choice.then_body.items, false);
+                items(choice.else_body.items, false);
+                break;
+            }
+            case ItemKind::for_loop:
+                items(static_cast<const ForItem&>(*item).body.items, false);
+                break;
+            case ItemKind::while_loop:
+                items(static_cast<const WhileItem&>(*item).body.items, false);
                 break;
             case ItemKind::literals:
                 if (!schema_.has_children || use_ == BlockUse::instance) no_children(item->span);
                 break;
             case ItemKind::include: {
                 const IncludeItem& include = static_cast<const IncludeItem&>(*item);
-                if (schema_.has_children) items(include.items);
+                if (schema_.has_children) items(include.items, is_certain);
                 break;
             }
             case ItemKind::let:
@@ -89,9 +160,6 @@ void BlockCheck::items(std::span<Item* const> list) {
             case ItemKind::assignment:
             case ItemKind::import:
             case ItemKind::function:
-            case ItemKind::conditional:
-            case ItemKind::for_loop:
-            case ItemKind::while_loop:
             case ItemKind::break_loop:
             case ItemKind::continue_loop:
             case ItemKind::return_value:
@@ -100,9 +168,10 @@ void BlockCheck::items(std::span<Item* const> list) {
     }
 }
 
-void BlockCheck::property(const PropertyItem& item) {
+void BlockCheck::property(const PropertyItem& item, bool is_certain) {
     const std::string_view name = symbols_.text(item.name);
-    if (schema_.takes_any_string) {
+    if (schema_.takes_any_string || schema_.takes_any_value) {
+        if (!is_certain) return;
         for (const auto& [symbol, span] : set_strings_) {
             if (symbol != item.name) continue;
             error(Code::E0402, item.name_span, fmt::format("`{}` is set twice", name))
@@ -124,8 +193,8 @@ void BlockCheck::property(const PropertyItem& item) {
                 fmt::format("make another one: `let big = {} {{ {}: ... }}`", schema_.name, name));
     } else if (place.is_common) {
         if (is_transform_step(static_cast<CommonProperty>(place.slot))) return;
-        set_once(set_common_[place.slot], item.name_span, name);
-    } else {
+        if (is_certain) set_once(set_common_[place.slot], item.name_span, name);
+    } else if (is_certain) {
         set_once(set_[place.slot], item.name_span, name);
         if (schema_.kind == BlockKind::material && name == "model") model_ = item.value;
     }
@@ -185,7 +254,7 @@ void BlockCheck::no_children(Span span) {
                                         : "it holds properties only: `name: value`");
 }
 
-void BlockCheck::child(const BlockItem& item) {
+void BlockCheck::child(const BlockItem& item, bool is_certain) {
     const Expr& child_head = *item.block->head;
     const BlockSchema* made = nullptr;
     if (child_head.kind == ExprKind::name) {
@@ -199,65 +268,13 @@ void BlockCheck::child(const BlockItem& item) {
     }
     if (made->kind == BlockKind::material && schema_.is_placeable) {
         constexpr std::size_t kMaterial = static_cast<std::size_t>(CommonProperty::material);
-        set_once(set_common_[kMaterial], child_head.span, "material");
+        if (is_certain) set_once(set_common_[kMaterial], child_head.span, "material");
     } else if (!schema_.has_children || use_ == BlockUse::instance) {
         no_children(child_head.span);
     } else if (!made->is_placeable) {
         error(Code::E0412, child_head.span,
               fmt::format("`{}` stands at the top level, not in a {}", made->name, schema_.name));
     }
-}
-
-// Returns true if two forms are mixed.
-bool BlockCheck::forms() {
-    const std::span<const PropertySchema> properties = schema_.properties;
-    std::size_t first = properties.size();
-    std::size_t second = properties.size();
-    for (std::size_t slot = properties.size(); slot-- > 0;) {
-        if (set_[slot].is_nowhere()) continue;
-        if (properties[slot].form == Form::first) first = slot;
-        if (properties[slot].form == Form::second) second = slot;
-    }
-    if (first == properties.size() || second == properties.size()) return false;
-    const bool first_is_later = set_[first].offset > set_[second].offset;
-    const Span later = set_[first_is_later ? first : second];
-    const Span earlier = set_[first_is_later ? second : first];
-    error(
-        Code::E0411, later,
-        fmt::format("give `{}` or `{}`, not both", properties[first].name, properties[second].name))
-        .with_label(earlier, "the other one");
-    return true;
-}
-
-void BlockCheck::required() {
-    bool has_second = false;
-    bool has_first_required = false;
-    const std::span<const PropertySchema> properties = schema_.properties;
-    for (std::size_t slot = 0; slot < properties.size(); ++slot) {
-        const bool is_set = !set_[slot].is_nowhere();
-        has_second = has_second || (is_set && properties[slot].form == Form::second);
-        has_first_required = has_first_required ||
-                             (properties[slot].form == Form::first && properties[slot].is_required);
-    }
-    std::vector<std::string_view> missing;
-    for (std::size_t slot = 0; slot < properties.size(); ++slot) {
-        const PropertySchema& property = properties[slot];
-        const bool is_needed =
-            property.is_required && set_[slot].is_nowhere() &&
-            (property.form == Form::any || (property.form == Form::second && has_second) ||
-             (property.form == Form::first && !has_second));
-        if (is_needed) missing.push_back(property.name);
-    }
-    if (missing.empty()) return;
-    std::string names;
-    for (std::size_t i = 0; i < missing.size(); ++i) {
-        const std::string_view joint = i == 0 ? "" : i + 1 == missing.size() ? " and " : ", ";
-        names += fmt::format("{}`{}`", joint, missing[i]);
-    }
-    if (schema_.kind == BlockKind::mesh && !has_second) {
-        names = "`file`, or `positions` and `triangles`";
-    }
-    error(Code::E0406, block_.head->span, fmt::format("{} needs {}", schema_.name, names));
 }
 
 std::string_view BlockCheck::model() const {
@@ -304,6 +321,13 @@ PropertyPlace find_place(const BlockSchema& schema, std::string_view name) {
     slot = find_property(common, name);
     if (slot == common.size()) return {};
     return {&common[slot], slot, true};
+}
+
+bool check_complete(const BlockSchema& schema, std::span<const Span> set, Span head, bool is_new,
+                    Diagnostics& diagnostics) {
+    // Of two forms mixed, what else is missing depends on which one is meant.
+    if (mixes_forms(schema, set, diagnostics)) return false;
+    return !is_new || !lacks_required(schema, set, head, diagnostics);
 }
 
 bool check_block(const BlockSchema& schema, const BlockExpr& block, BlockUse use,

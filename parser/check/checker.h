@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -13,15 +14,32 @@
 
 namespace lray::parser {
 
-/// What the evaluator needs to know of a checked program.
+/// A place where a function or component is named, and so called or made a value.
+struct FunctionUse {
+    Function* function = nullptr;
+    std::span<const std::uint32_t> capture_slots{};  // what it captures, in the frame around
+};
+
+/// A `param`, and what it is called on the command line: `lib.name` in an import.
+struct Param {
+    const LetItem* item = nullptr;
+    std::string name{};
+};
+
+/// What the evaluator needs to know of a checked program, besides what stands in its tree.
 struct Checked {
-    std::vector<Span> variables{};  // where each slot is defined
+    std::uint32_t global_count = 0;
+    std::uint32_t function_count = 0;
+    std::uint32_t module_count = 0;
+    std::uint32_t frame_size = 0;  // of the main file
+    std::vector<FunctionUse> uses{};
+    std::vector<Param> params{};
 };
 
 /// Checks a program, and writes into its tree what names mean.
 /// Errors: E0115 when blocks, expressions and includes together are nested too deep to walk over,
 /// E0118, E02.., E03.. of literals, E04..; warns W11.., W14...
-Checked check(std::span<Item* const> items, const Symbols& symbols, const Sources& sources,
+Checked check(std::span<Item* const> items, Symbols& symbols, const Sources& sources,
               std::uint32_t max_nesting, Arena& arena, Diagnostics& diagnostics);
 
 }  // namespace lray::parser

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "parser/check/checker.h"
@@ -9,15 +12,27 @@
 #include "parser/load.h"
 #include "parser/symbols.h"
 #include "parser/syntax/ast.h"
+#include "parser/values/value.h"
 #include "scene/scene.h"
 
 namespace lray::parser {
 
+/// What a program runs with.
+struct Environment {
+    const Checked& checked;
+    Symbols& symbols;
+    const Sources& sources;
+    FileLoader& files;
+    const LoadSettings& settings;
+    double time = 0.0;
+    std::unordered_map<const LetItem*, Value> params{};  // given on the command line
+    std::vector<std::string>* usage_mistakes = nullptr;  // takes what is wrong with those
+};
+
 /// Evaluates the items of a program, top to bottom, into the scene and makes its root.
-/// Errors: E03.., E04.., E05.., E06.., E07.. at the expression; what depends on a failed value is
-/// skipped in silence, the rest goes on.
-void evaluate(std::span<Item* const> items, const Checked& checked, const Symbols& symbols,
-              const Sources& sources, FileLoader& files, const LoadLimits& limits,
-              scene::Scene& scene, Diagnostics& diagnostics);
+/// Errors: E02.., E03.., E04.., E05.., E06.., E07.. at the expression; what depends on a failed
+/// value is skipped in silence, a loop or function ends with its first error, the rest goes on.
+void evaluate(std::span<Item* const> items, const Environment& environment, scene::Scene& scene,
+              Diagnostics& diagnostics);
 
 }  // namespace lray::parser

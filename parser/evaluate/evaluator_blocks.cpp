@@ -1,4 +1,4 @@
-// Evaluates blocks: materials, shapes, groups, meshes, instances, views.
+// Evaluates blocks: materials, shapes, groups, meshes, instances, records, views.
 #include <fmt/format.h>
 
 #include <utility>
@@ -14,89 +14,220 @@ namespace lray::parser {
 
 using scene::NodeId;
 
-Evaluator::Head Evaluator::head(const BlockExpr& expr, bool is_placed) {
+Evaluator::Head Evaluator::head(BlockExpr& expr, bool is_placed) {
+    const NameExpr* named = nullptr;
     if (expr.head->kind == ExprKind::name) {
-        const NameExpr& built_in = static_cast<const NameExpr&>(*expr.head);
-        if (built_in.meaning == Meaning::block) {
-            return {&block_schema(static_cast<BlockKind>(built_in.index)), nullptr};
-        }
+        named = static_cast<const NameExpr*>(expr.head);
+    } else if (expr.head->kind == ExprKind::member) {
+        named = static_cast<const MemberExpr&>(*expr.head).imported;
+    }
+    if (named != nullptr && named->meaning == Meaning::block) {
+        return {&block_schema(static_cast<BlockKind>(named->index)), nullptr, nullptr};
+    }
+    if (named != nullptr && named->meaning == Meaning::component) {
+        const FunctionUse& use = checked_.uses[named->index];
+        return {use.function->schema, nullptr, &use};
     }
     const Value value = eval(*expr.head);
     if (value.is(ValueKind::poison)) return {};
-    const bool is_material = value.is(ValueKind::material);
-    if (!is_material && !value.is(ValueKind::node)) {
+    if (value.is(ValueKind::record) && !is_placed) {
+        return {&block_schema(BlockKind::record), nullptr, nullptr};
+    }
+    const bool is_node = value.is(ValueKind::node);
+    const bool is_made = is_node || value.is(ValueKind::material) || value.is(ValueKind::texture);
+    if (!is_made && (!is_placed || !value.is(ValueKind::record))) {
         error(
             Code::E0408, expr.head->span,
             fmt::format("`{}` is {}; only blocks take braces", text(*expr.head), describe(value)));
         return {};
     }
-    if (is_material && is_placed) {
-        error(Code::E0408, expr.head->span, "a material cannot be placed")
-            .with_hint(fmt::format("use `material: {}` in a shape", text(*expr.head)));
+    if (is_placed && !is_node) {
+        Diagnostic& diagnostic = error(Code::E0408, expr.head->span,
+                                       fmt::format("{} cannot be placed", describe(value)));
+        if (value.is(ValueKind::material)) {
+            diagnostic.with_hint(fmt::format("use `material: {}` in a shape", text(*expr.head)));
+        }
         return {};
     }
     const BlockSchema& schema = *value.made->schema;
-    // A head whose type the checker could not tell is checked now; otherwise again, in silence.
-    const BlockUse use = is_placed ? BlockUse::instance : BlockUse::copy;
-    Diagnostics again;
-    if (!check_block(schema, expr, use, symbols_, sources_, again)) {
-        diagnostics_.append(again);
-        return {};
+    if (expr.checked_as != &schema) {  // the checker could not tell, or it is not the same always
+        const BlockUse use = is_placed ? BlockUse::instance : BlockUse::copy;
+        Diagnostics again;
+        if (!check_block(schema, expr, use, symbols_, sources_, again)) {
+            diagnostics_.append(again);
+            return {};
+        }
+        expr.checked_as = &schema;
     }
-    return {&schema, value.made};
+    return {&schema, value.made, nullptr};
 }
 
-// A block in the place of a value: a material, or a node that is not placed.
-Value Evaluator::block_value(const BlockExpr& expr) {
+void Evaluator::placed_block(BlockExpr& expr, OpenBlock& open) {
+    const Head made_of = head(expr, true);
+    if (made_of.schema == nullptr) {
+        ++failures_;
+        return;
+    }
+    if (made_of.schema->kind == BlockKind::material) {  // inline: `sphere { material { } }`
+        OpenBlock inner(*made_of.schema, expr.span);
+        const bool is_whole = body(expr, inner);
+        open.material_id = is_whole ? add_material(inner) : std::nullopt;
+        Span& first = open.common_spans[0];
+        if (!first.is_nowhere()) {
+            error(Code::E0402, expr.head->span, "`material` is set twice")
+                .with_label(first, "first set here");
+            ++failures_;
+        }
+        first = expr.head->span;
+        open.is_poisoned = open.is_poisoned || !is_whole;
+        return;
+    }
+    if (!made_of.schema->is_placeable) {
+        view_block(*made_of.schema, expr);
+        return;
+    }
+    const std::uint64_t failures = failures_;
+    std::optional<NodeId> child;
+    if (made_of.component != nullptr) {
+        child = place_component(expr, *made_of.component);
+    } else if (made_of.made != nullptr) {
+        child = instance(expr, *made_of.made);
+    } else {
+        OpenBlock inner(*made_of.schema, expr.span);
+        if (body(expr, inner)) child = make_node(inner, expr.label);
+    }
+    if (child) {
+        open.children.push_back(*child);
+    } else if (failures == failures_) {
+        ++failures_;
+    }
+}
+
+// Evaluates what stands between the braces. False: something is wrong with it.
+bool Evaluator::body(const BlockExpr& expr, OpenBlock& open, bool is_new) {
+    items(expr.body.items, open);
+    if (open.is_poisoned) return false;
+    if (!expr.has_statements || open.schema.kind == BlockKind::record) return true;
+    const bool is_whole =
+        check_complete(open.schema, open.value_spans, expr.head->span, is_new, diagnostics_);
+    if (!is_whole) ++failures_;
+    return is_whole;
+}
+
+// A copy begins as what it is a copy of.
+void Evaluator::start_copy(const Made& made, OpenBlock& open) {
+    for (std::size_t slot = 0; slot < made.schema->properties.size(); ++slot) {
+        open.values.set(slot, made.values[slot]);
+    }
+    if (!made.schema->is_placeable) return;
+    const scene::Node& original = scene_.nodes[made.id];
+    if (!original.transform_id.is_none()) {
+        open.transform = scene_.transforms[original.transform_id.index()];
+        open.has_steps = true;
+    }
+    if (!original.material_id.is_none()) open.material_id = original.material_id;
+    open.visible = original.visible;
+    open.casts_shadow = original.casts_shadow;
+    if (made.component == nullptr && original.kind == scene::NodeKind::group) {
+        open.children = scene_.groups[original.index].children;
+    }
+}
+
+// A block in the place of a value: a material, a record, or a node that is not placed.
+Value Evaluator::block_value(BlockExpr& expr) {
     const Head made_of = head(expr, false);
     if (made_of.schema == nullptr) return Value::poison();
     const BlockSchema& schema = *made_of.schema;
+    OpenBlock open(schema, expr.span);
+    if (schema.kind == BlockKind::record) {
+        const bool is_copy = expr.head->kind != ExprKind::name ||
+                             static_cast<const NameExpr&>(*expr.head).meaning != Meaning::block;
+        if (is_copy) {
+            const Value original = eval(*expr.head);
+            open.fields.assign(original.fields, original.fields + original.count);
+        }
+        return body(expr, open) ? record_value(open) : Value::poison();
+    }
     const bool is_material = schema.kind == BlockKind::material;
     if (!is_material && !schema.is_placeable) {
-        error(Code::E0408, expr.head->span, fmt::format("a `{}` block is not a value", schema.name))
-            .with_help("write it at the top level");
-        return Value::poison();
+        return failed(
+            Code::E0408, expr.head->span,
+            fmt::format("a `{}` block is not a value; write it at the top level", schema.name));
     }
-    OpenBlock open(schema, expr.span);
     if (made_of.made != nullptr) {
-        open.values = *made_of.made->values;
-        if (!is_material) {
-            const scene::Node& original = scene_.nodes[made_of.made->id];
-            if (!original.transform_id.is_none()) {
-                open.transform = scene_.transforms[original.transform_id.index()];
-                open.has_steps = true;
-            }
-            if (!original.material_id.is_none()) open.material_id = original.material_id;
-            open.visible = original.visible;
-            open.casts_shadow = original.casts_shadow;
-            if (original.kind == scene::NodeKind::group) {
-                const std::vector<NodeId>& children = scene_.groups[original.index].children;
-                const std::uint64_t size = children.size() * sizeof(NodeId);
-                if (!take_bytes(budget_, size, expr.span, diagnostics_)) return Value::poison();
-                open.children = children;
-            }
-        }
+        start_copy(*made_of.made, open);
+        const std::uint64_t size = open.children.size() * sizeof(NodeId);
+        if (!take_kept_bytes(budget_, size, expr.span, diagnostics_)) return Value::poison();
     }
-    items(expr.body.items, open);
-    if (is_material) return make_material(open);
+    if (!body(expr, open, made_of.made == nullptr)) return Value::poison();
+    if (is_material) {
+        const std::optional<scene::MaterialId> id = add_material(open);
+        return id ? made_value(ValueKind::material, open, id->value) : Value::poison();
+    }
+    if (schema.kind == BlockKind::component) {
+        const Made* const made = made_of.made;
+        const FunctionValue component =
+            made != nullptr ? *made->component : captured(*made_of.component);
+        const NodeId children =
+            open.children.empty() && made != nullptr ? made->children : children_of(open);
+        const std::optional<NodeId> node = make_component(open, component, children, expr.label);
+        if (!node) return Value::poison();
+        Value value = made_value(ValueKind::node, open, node->value);
+        Made* const kept = memory_.kept().make<Made>(*value.made);
+        FunctionValue* const kept_component = memory_.kept().make<FunctionValue>(component);
+        kept_component->captures =
+            keep_all({component.captures, component.function->capture_slots.size()});
+        kept->component = kept_component;
+        kept->children = children;
+        value.made = kept;
+        return value;
+    }
     const std::optional<NodeId> node = make_node(open, expr.label);
-    if (!node) return Value::poison();
-    const PropertyValues* values = arena_.make<PropertyValues>(open.values);
-    return Value::of_made(ValueKind::node, arena_.make<Made>(&schema, values, node->value));
+    return node ? made_value(ValueKind::node, open, node->value) : Value::poison();
 }
 
-Value Evaluator::make_material(const OpenBlock& open) {
-    if (open.is_poisoned) return Value::poison();
+const Value* Evaluator::keep_all(std::span<const Value> values) {
+    std::vector<Value> kept(values.begin(), values.end());
+    for (Value& value : kept) value = memory_.keep(value);
+    return memory_.kept().copy(kept).data();
+}
+
+Value Evaluator::made_value(ValueKind kind, const OpenBlock& open, std::uint32_t id) {
+    const std::span<const Value> values = open.values.all();
+    const std::uint64_t size = sizeof(Made) + values.size_bytes();
+    if (!take_kept_bytes(budget_, size, open.span, diagnostics_)) return Value::poison();
+    Made made;
+    made.schema = &open.schema;
+    made.values = keep_all(values);
+    made.id = id;
+    return Value::of_made(kind, memory_.kept().make<Made>(made));
+}
+
+Value Evaluator::record_value(const OpenBlock& open) {
+    std::uint8_t depth = 0;
+    for (const RecordField& field : open.fields) depth = std::max(depth, field.value.depth());
+    if (depth >= kMaxValueDepth) {
+        return failed(
+            Code::E0514, open.span,
+            fmt::format("lists and records are nested more than {} deep", kMaxValueDepth));
+    }
+    const std::uint64_t size = open.fields.size() * sizeof(RecordField);
+    if (!take_bytes(budget_, size, open.span, diagnostics_)) return Value::poison();
+    return Value::of_record(arena().copy(open.fields), static_cast<std::uint8_t>(depth + 1));
+}
+
+std::optional<scene::MaterialId> Evaluator::add_material(const OpenBlock& open) {
     const scene::MaterialId id(scene_.materials.size());
+    if (!take_kept_bytes(budget_, sizeof(scene::Material), open.span, diagnostics_)) {
+        return std::nullopt;
+    }
     scene_.materials.push_back(build_material(open.values, open.span, diagnostics_));
-    const PropertyValues* values = arena_.make<PropertyValues>(open.values);
-    return Value::of_made(ValueKind::material, arena_.make<Made>(&open.schema, values, id.value));
+    return id;
 }
 
-void Evaluator::view_block(const BlockSchema& schema, const BlockExpr& expr) {
+void Evaluator::view_block(const BlockSchema& schema, BlockExpr& expr) {
     OpenBlock open(schema, expr.span);
-    items(expr.body.items, open);
-    if (open.is_poisoned) return;
+    if (!body(expr, open)) return;
     if (schema.kind == BlockKind::camera) {
         const std::string_view name =
             expr.label != nullptr ? expr.label->value : std::string_view{};
@@ -120,7 +251,6 @@ std::optional<NodeId> Evaluator::instance(const BlockExpr& expr, const Made& mad
 }
 
 std::optional<NodeId> Evaluator::make_node(const OpenBlock& open, const StringExpr* label) {
-    if (open.is_poisoned) return std::nullopt;
     const std::optional<ShapeRef> shape = shape_of(open);
     if (!shape) return std::nullopt;
     return add_node(open, shape->kind, shape->index, label);
@@ -139,7 +269,7 @@ std::optional<ShapeRef> Evaluator::shape_of(const OpenBlock& open) {
             if (value.is(ValueKind::rows)) numbers += std::uint64_t{value.count} * value.width;
         }
         const std::uint64_t size = numbers * sizeof(float);
-        if (!take_bytes(budget_, size, open.span, diagnostics_)) return std::nullopt;
+        if (!take_kept_bytes(budget_, size, open.span, diagnostics_)) return std::nullopt;
         const std::optional<scene::MeshUse> use =
             build_mesh(open.values, open.value_spans, open.span, files_, scene_, diagnostics_);
         if (!use) return std::nullopt;
@@ -163,6 +293,12 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
             .warning(Code::W1301, open.scale_after_translate,
                      "`scale` after `translate` also multiplies the way it was moved")
             .with_help("scale first, or write the steps as `transform: [...]`");
+    }
+    const std::uint64_t limit = environment_.settings.limits.nodes;
+    if (scene_.nodes.size() >= limit && !budget_.is_spent) {
+        error(Code::E0513, open.span, fmt::format("the scene has more than {} nodes", limit))
+            .with_help("raise the limit with `--max-nodes N`");
+        budget_.is_spent = true;
     }
     scene::Node node;
     node.kind = kind;

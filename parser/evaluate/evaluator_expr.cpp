@@ -1,11 +1,14 @@
 // Evaluates expressions.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/assert.h"
+#include "base/did_you_mean.h"
 #include "parser/blocks/schemas.h"
 #include "parser/builtins/builtins.h"
 #include "parser/builtins/prelude.h"
@@ -15,16 +18,22 @@
 namespace lray::parser {
 
 Value Evaluator::eval(const Expr& expr) {
-    if (!take_steps(budget_, 1, expr.span, diagnostics_)) return Value::poison();
+    if (budget_.steps == 0) [[unlikely]] {
+        take_steps(budget_, 1, expr.span, diagnostics_);
+        return Value::poison();
+    }
+    --budget_.steps;
     switch (expr.kind) {
         case ExprKind::error:
             return Value::poison();
         case ExprKind::number:
+            return Value::of(static_cast<const NumberExpr&>(expr).value);
         case ExprKind::boolean:
+            return Value::of(static_cast<const BooleanExpr&>(expr).value);
         case ExprKind::string:
         case ExprKind::color:
         case ExprKind::packed_list:
-            return *constant_value(expr, arena_);
+            return *constant_value(expr, arena());
         case ExprKind::name:
             return name(static_cast<const NameExpr&>(expr));
         case ExprKind::unary:
@@ -42,33 +51,44 @@ Value Evaluator::eval(const Expr& expr) {
         case ExprKind::list:
             return list(static_cast<const ListExpr&>(expr));
         case ExprKind::block:
-            return block_value(static_cast<const BlockExpr&>(expr));
+            // What the evaluator learns of a block is kept in it.
+            return block_value(const_cast<BlockExpr&>(static_cast<const BlockExpr&>(expr)));
         case ExprKind::comprehension:
+            return comprehension(static_cast<const ComprehensionExpr&>(expr));
         case ExprKind::function:
-            break;
+            return function_value(checked_.uses[static_cast<const FunctionExpr&>(expr).use]);
     }
     LRAY_ASSERT(false);
 }
 
 Value Evaluator::name(const NameExpr& expr) {
     switch (expr.meaning) {
-        case Meaning::global:
-            return variables_[expr.index];
+        case Meaning::local: {
+            const Value& value = frame_[expr.index];
+            return value.is(ValueKind::none) ? no_value_yet(expr) : value;
+        }
+        case Meaning::global: {
+            const Value& value = globals_[expr.index];
+            return value.is(ValueKind::none) ? no_value_yet(expr) : value;
+        }
         case Meaning::constant:
             return prelude_constants()[expr.index].value;
-        case Meaning::builtin:
-            error(Code::E0301, expr.span,
-                  fmt::format("`{0}` is a function; call it: `{0}(...)`", text(expr)));
-            return Value::poison();
-        case Meaning::colors:
-            error(Code::E0301, expr.span, "`colors` needs a name: `colors.red`");
-            return Value::poison();
-        case Meaning::local:
         case Meaning::function:
+            return function_value(checked_.uses[expr.index]);
+        case Meaning::builtin: {
+            FunctionValue value;
+            value.builtin = expr.index;
+            if (!take_bytes(budget_, sizeof value, expr.span, diagnostics_)) return Value::poison();
+            return Value::of_function(arena().make<FunctionValue>(value), 1);
+        }
+        case Meaning::time:
+            return Value::of(environment_.time);
+        case Meaning::frame:
+            return Value::of(environment_.settings.frame);
+        case Meaning::colors:
+            return failed(Code::E0301, expr.span, "`colors` needs a name: `colors.red`");
         case Meaning::component:
         case Meaning::module:
-        case Meaning::time:
-        case Meaning::frame:
         case Meaning::block:
         case Meaning::unknown:
             return Value::poison();
@@ -76,18 +96,63 @@ Value Evaluator::name(const NameExpr& expr) {
     LRAY_ASSERT(false);
 }
 
+// A function that stands above what it names was called before that had its value.
+Value Evaluator::no_value_yet(const NameExpr& expr) {
+    error(Code::E0202, expr.span,
+          fmt::format("`{}` has no value yet when this runs", symbols_.text(expr.symbol)))
+        .with_label(expr.definition, "it gets its value here");
+    return Value::poison();
+}
+
+Value Evaluator::function_value(const FunctionUse& use) {
+    const std::size_t count = use.capture_slots.size();
+    const std::uint64_t size = sizeof(FunctionValue) + count * sizeof(Value);
+    const Span span = use.function->name_span;
+    if (!take_bytes(budget_, size, span, diagnostics_)) return Value::poison();
+    const FunctionValue value = captured(use);
+    std::uint8_t depth = 0;
+    for (std::size_t i = 0; i < count; ++i) depth = std::max(depth, value.captures[i].depth());
+    if (depth >= kMaxValueDepth) {
+        return failed(Code::E0514, span,
+                      fmt::format("values are nested more than {} deep", kMaxValueDepth));
+    }
+    return Value::of_function(arena().make<FunctionValue>(value),
+                              static_cast<std::uint8_t>(depth + 1));
+}
+
 Value Evaluator::unary(const UnaryExpr& expr) {
     if (expr.op == TokenKind::kw_not) {
         const std::optional<bool> operand = condition(*expr.operand);
         return operand ? Value::of(!*operand) : Value::poison();
     }
-    return apply_sign(expr.op, eval(*expr.operand), expr.span, arena_, budget_, diagnostics_);
+    return apply_sign(expr.op, eval(*expr.operand), expr.span, arena(), budget_, diagnostics_);
 }
 
 Value Evaluator::binary(const BinaryExpr& expr) {
-    if (is_one_of(expr.op, TokenKind::kw_and, TokenKind::kw_or)) return logical(expr);
+    using enum TokenKind;
+    if (is_one_of(expr.op, kw_and, kw_or)) return logical(expr);
     const Value left = eval(*expr.left);
     const Value right = eval(*expr.right);
+    if (left.is(ValueKind::number) && right.is(ValueKind::number)) {
+        const double a = left.number;
+        const double b = right.number;
+        double result = std::numeric_limits<double>::quiet_NaN();
+        if (expr.op == plus) result = a + b;
+        if (expr.op == minus) result = a - b;
+        if (expr.op == star) result = a * b;
+        if (expr.op == slash) result = a / b;
+        if (expr.op == less) return Value::of(a < b);
+        if (expr.op == less_equal) return Value::of(a <= b);
+        if (expr.op == greater) return Value::of(a > b);
+        if (expr.op == greater_equal) return Value::of(a >= b);
+        if (expr.op == equal_equal) return Value::of(a == b);
+        if (expr.op == not_equal) return Value::of(a != b);
+        if (std::isfinite(result)) return Value::of(result);
+    }
+    return binary_slow(expr, left, right);
+}
+
+Value Evaluator::binary_slow(const BinaryExpr& expr, const Value& left, const Value& right) {
     const bool is_division = is_one_of(expr.op, TokenKind::slash, TokenKind::percent);
     const bool is_zero = is_division && right.is(ValueKind::number) && right.number == 0.0;
     if (is_zero && !left.is(ValueKind::poison)) {
@@ -95,15 +160,15 @@ Value Evaluator::binary(const BinaryExpr& expr) {
         explain_zero(*expr.right, diagnostic);
         return Value::poison();
     }
-    return apply(expr.op, left, right, expr.op_span, arena_, budget_, diagnostics_);
+    return apply(expr.op, left, right, expr.op_span, arena(), budget_, diagnostics_);
 }
 
 // "`n` is 0, defined here"
 void Evaluator::explain_zero(const Expr& divisor, Diagnostic& diagnostic) {
     if (divisor.kind != ExprKind::name) return;
     const NameExpr& variable = static_cast<const NameExpr&>(divisor);
-    if (variable.meaning != Meaning::global) return;
-    diagnostic.with_label(checked_.variables[variable.index],
+    if (variable.definition.is_nowhere()) return;
+    diagnostic.with_label(variable.definition,
                           fmt::format("`{}` is 0, defined here", text(divisor)));
 }
 
@@ -131,25 +196,6 @@ Value Evaluator::conditional(const ConditionalExpr& expr) {
     const std::optional<bool> chosen = condition(*expr.condition);
     if (!chosen) return Value::poison();
     return eval(*chosen ? *expr.then_value : *expr.else_value);
-}
-
-Value Evaluator::call(const CallExpr& expr) {
-    LRAY_ASSERT(expr.callee->kind == ExprKind::name);
-    const NameExpr& callee = static_cast<const NameExpr&>(*expr.callee);
-    if (callee.meaning != Meaning::builtin) return Value::poison();
-    const Builtin& builtin = builtins()[callee.index];
-    Call made{{}, {}, {}, expr.span, arena_, budget_, diagnostics_, *this, {}, {}};
-    std::size_t position = 0;
-    for (const Argument& argument : expr.arguments) {
-        std::size_t place = position++;
-        if (argument.name != kNoSymbol) {
-            place = 0;
-            while (builtin.parameters[place].name != symbols_.text(argument.name)) ++place;
-        }
-        made.arguments[place] = eval(*argument.value);
-        made.spans[place] = argument.value->span;
-    }
-    return call_builtin(builtin, made);
 }
 
 Value Evaluator::index(const IndexExpr& expr) {
@@ -194,8 +240,10 @@ Value Evaluator::member(const MemberExpr& expr) {
         error(Code::E0409, expr.name_span, fmt::format("there is no colour `{}`", field));
         return Value::poison();
     }
+    if (expr.imported != nullptr) return name(*expr.imported);
     const Value object = eval(*expr.object);
     if (object.is(ValueKind::poison)) return object;
+    if (object.is(ValueKind::record)) return record_member(expr, object);
     if (object.is(ValueKind::material)) return material_member(expr, *object.made);
     if (object.is(ValueKind::node)) return node_member(expr, *object.made);
     constexpr std::string_view kAxes = "xyzw";
@@ -223,13 +271,13 @@ Value Evaluator::material_member(const MemberExpr& expr, const Made& made) {
         error(Code::E0409, expr.name_span, fmt::format("a material has no field `{}`", field));
         return Value::poison();
     }
-    const Value& value = (*made.values)[slot];
+    const Value& value = made.values[slot];
     if (!value.is(ValueKind::none)) return value;
     const scene::Material& material = scene_.materials[made.id];
     const PropertySchema& property = made.schema->properties[slot];
     const auto color = [&](const Color& linear) {
         const std::array<double, 4> rgba = {linear.x, linear.y, linear.z, 1.0};
-        return Value::of_color(arena_.copy(std::span<const double>(rgba)).data());
+        return Value::of_color(arena().copy(std::span<const double>(rgba)).data());
     };
     using namespace schemas;
     if (property.type == PropertyType::boolean) return Value::of(property.default_value[0] != 0.0);
@@ -243,7 +291,9 @@ Value Evaluator::material_member(const MemberExpr& expr, const Made& made) {
         return color(material.specular.value_or(Color{is_microfacet ? 1.0f : 0.2f}));
     }
     if (property.type == PropertyType::color) {
-        return color(Color{made.values->color(slot)});
+        PropertyValues values(made.schema->properties);
+        values.set(slot, value);
+        return color(Color{values.color(slot)});
     }
     return Value::of(property.default_value[0]);
 }
@@ -258,7 +308,7 @@ Value Evaluator::node_member(const MemberExpr& expr, const Made& made) {
               fmt::format("a {} has no field `{}`", made.schema->name, field));
         return Value::poison();
     }
-    const Value& value = (*made.values)[slot];
+    const Value& value = made.values[slot];
     if (!value.is(ValueKind::none)) return value;
     const PropertySchema& property = properties[slot];
     const std::span<const double> fallback = property.default_value;
@@ -275,13 +325,80 @@ Value Evaluator::node_member(const MemberExpr& expr, const Made& made) {
     return Value::poison();
 }
 
+Value Evaluator::record_member(const MemberExpr& expr, const Value& record) {
+    for (std::uint32_t i = 0; i < record.count; ++i) {
+        if (record.fields[i].name == expr.name) return record.fields[i].value;
+    }
+    std::vector<std::string_view> names;
+    for (std::uint32_t i = 0; i < record.count; ++i) {
+        names.push_back(symbols_.text(record.fields[i].name));
+    }
+    const std::string_view field = symbols_.text(expr.name);
+    error(Code::E0409, expr.name_span, fmt::format("this record has no field `{}`", field))
+        .with_hint(did_you_mean(field, names));
+    return Value::poison();
+}
+
 Value Evaluator::list(const ListExpr& expr) {
-    const std::uint64_t size = expr.elements.size() * sizeof(Value);
-    if (!take_bytes(budget_, size, expr.span, diagnostics_)) return Value::poison();
+    const std::size_t count = expr.elements.size();
+    // A vector, the usual case, is put together without a detour.
+    constexpr std::size_t kVector = 4;
+    if (count <= kVector && count > 0) {
+        std::array<Value, kVector> elements;
+        bool are_numbers = true;
+        for (std::size_t i = 0; i < count; ++i) {
+            elements[i] = eval(*expr.elements[i]);
+            are_numbers = are_numbers && elements[i].is(ValueKind::number);
+        }
+        if (are_numbers) {
+            const std::uint64_t size = count * sizeof(double);
+            if (!take_bytes(budget_, size, expr.span, diagnostics_)) return Value::poison();
+            double* const numbers = static_cast<double*>(arena().allocate(size, alignof(double)));
+            for (std::size_t i = 0; i < count; ++i) numbers[i] = elements[i].number;
+            return Value::of_numbers({numbers, count});
+        }
+        return list_of({elements.data(), count}, expr.span);
+    }
     std::vector<Value> elements;
-    elements.reserve(expr.elements.size());
+    elements.reserve(count);
     for (const Expr* element_expr : expr.elements) elements.push_back(eval(*element_expr));
-    return make_list(elements, arena_);
+    return list_of(elements, expr.span);
+}
+
+Value Evaluator::list_of(std::span<const Value> elements, Span span) {
+    const std::uint64_t size = elements.size() * sizeof(Value);
+    if (!take_bytes(budget_, size, span, diagnostics_)) return Value::poison();
+    return make_list(elements, arena());
+}
+
+Value Evaluator::comprehension(const ComprehensionExpr& expr) {
+    const std::optional<Sequence> from = sequence(*expr.sequence);
+    if (!from) return Value::poison();
+    std::vector<Value> elements;
+    for (std::uint64_t i = 0; i < from->count; ++i) {
+        if (!take_steps(budget_, 1, expr.span, diagnostics_)) return Value::poison();
+        const Region region = memory_.begin();
+        if (expr.index_name != kNoSymbol) {
+            frame_[expr.index_slot] = Value::of(static_cast<double>(i));
+        }
+        frame_[expr.element_slot] = from->at(i);
+        if (expr.condition != nullptr) {
+            const std::optional<bool> is_wanted = condition(*expr.condition);
+            if (!is_wanted) return Value::poison();
+            if (!*is_wanted) continue;
+        }
+        const Value value = eval(*expr.value);
+        if (value.is(ValueKind::poison)) return value;
+        if (elements.size() >= budget_.max_list_size) {
+            error(Code::E0514, expr.span,
+                  fmt::format("a list has more than {} elements", budget_.max_list_size))
+                .with_help("raise the limit with `--max-list-size N`");
+            return Value::poison();
+        }
+        elements.push_back(memory_.end_with(region, value));
+        if (!take_bytes(budget_, sizeof(Value), expr.span, diagnostics_)) return Value::poison();
+    }
+    return list_of(elements, expr.span);
 }
 
 }  // namespace lray::parser

@@ -77,9 +77,9 @@ enum class Meaning : std::uint8_t {
     builtin,    // index into the built-in functions
     block,      // index: BlockKind
     colors,     // the namespace of colour names
-    function,   // a `fn`: see NameExpr::function
+    function,   // a `fn`: index into Checked::uses
     component,  // likewise
-    module,     // the alias of an import
+    module,     // the alias of an import; stands only in front of a dot
     time,       // seconds
     frame,
 };
@@ -90,8 +90,7 @@ struct NameExpr : Expr {
     Symbol symbol = kNoSymbol;
     Meaning meaning = Meaning::unknown;
     std::uint32_t index = 0;
-    Function* function = nullptr;                    // of Meaning::function and component
-    std::span<const std::uint32_t> capture_slots{};  // of its captures, in the frame of this name
+    Span definition{};  // of a value
 };
 
 struct UnaryExpr : Expr {
@@ -153,6 +152,9 @@ struct BlockExpr : Expr {
     Expr* head = nullptr;
     const StringExpr* label = nullptr;
     Body body{};
+
+    bool has_statements = false;              // properties may be set or not: seen when it runs
+    const BlockSchema* checked_as = nullptr;  // its body was found right for this schema
 };
 
 /// `[for i, x in sequence if condition: value]`
@@ -193,7 +195,7 @@ inline constexpr std::array<std::string_view, 16> kTypeNames = {
     "any",   "number", "int",       "bool",    "string",   "vec2", "vec3",   "vec4",
     "color", "list",   "transform", "texture", "material", "node", "record", "function"};
 
-/// One parameter of a function or component. Its slot is its position.
+/// One parameter of a function or component. Its slot in the frame is its position.
 struct ParameterDecl {
     Symbol name = kNoSymbol;
     Span name_span{};
@@ -201,8 +203,8 @@ struct ParameterDecl {
     Expr* default_value = nullptr;  // null: required
 };
 
-/// A `fn`, a function value or a component. Its frame holds the parameters, then the captures,
-/// then all names in its body.
+/// A `fn`, a function value or a component. Its frame holds the parameters, then whatever its body
+/// names and captures: what belongs to the code around it is copied in when it is called.
 struct Function {
     Symbol name = kNoSymbol;  // none: a function value
     Span name_span{};         // of a function value: `fn`
@@ -215,16 +217,16 @@ struct Function {
     // By the checker
     std::uint32_t id = 0;
     std::uint32_t frame_size = 0;
-    std::uint32_t capture_count = 0;
-    bool has_effects = false;               // prints, here or in what it calls: not memoised
-    const BlockSchema* schema = nullptr;    // of a component: its parameters as properties
-    std::span<const Span> capture_names{};  // where what it captures is defined
+    std::span<const std::uint32_t> capture_slots{};  // where in its frame what it captures goes
+    std::uint32_t children_slot = 0;                 // of a component
+    bool has_effects = false;             // prints, here or in what it calls: not memoised
+    const BlockSchema* schema = nullptr;  // of a component: its parameters as properties
 };
 
 /// `fn(x) = x * x`
 struct FunctionExpr : Expr {
     Function* function = nullptr;
-    std::span<const std::uint32_t> capture_slots{};
+    std::uint32_t use = 0;  // by the checker: index into Checked::uses
 };
 
 enum class ItemKind : std::uint8_t {
@@ -250,6 +252,9 @@ struct Item {
     Span span{};
 };
 
+/// Of a name that has no place yet.
+inline constexpr std::uint32_t kNoSlot = 0xffffffffu;
+
 enum class LetKind : std::uint8_t { let, var, param };
 
 struct LetItem : Item {
@@ -260,8 +265,10 @@ struct LetItem : Item {
     Expr* value = nullptr;
     Expr* choices = nullptr;  // of a param: what follows `in`
     std::string_view doc{};   // its `///` comment
-    bool is_global = false;   // by the checker
-    std::uint32_t slot = 0;   // likewise
+
+    // By the checker
+    bool is_global = false;
+    std::uint32_t slot = kNoSlot;
 };
 
 struct PropertyItem : Item {
@@ -301,7 +308,11 @@ struct IncludeItem : Item {
 struct Module {
     SourceId source = kNoSource;
     std::span<Item* const> items{};
+
+    // By the checker
+    bool is_checked = false;
     std::uint32_t id = 0;
+    std::uint32_t frame_size = 0;
 };
 
 struct ImportItem : Item {
@@ -329,6 +340,19 @@ struct ConditionalItem : Item {
     bool has_else = false;
 };
 
+/// A variable, as a place.
+struct SlotRef {
+    std::uint32_t slot = 0;
+    bool is_global = false;
+};
+
+/// What the checker knows of a loop's body: what outlives one time round.
+struct LoopInfo {
+    std::span<const SlotRef> assigned{};       // variables from outside of the body
+    std::span<const std::uint32_t> renewed{};  // names to forget before the next time round
+    bool sets_properties = false;              // of the block that holds the loop
+};
+
 struct ForItem : Item {
     Symbol index_name = kNoSymbol;  // none: only the element has a name
     Span index_span{};
@@ -338,11 +362,13 @@ struct ForItem : Item {
     Body body{};
     std::uint32_t index_slot = 0;
     std::uint32_t element_slot = 0;
+    LoopInfo loop{};
 };
 
 struct WhileItem : Item {
     Expr* condition = nullptr;
     Body body{};
+    LoopInfo loop{};
 };
 
 struct ReturnItem : Item {

@@ -19,7 +19,7 @@ namespace lray::parser {
 
 /// What all files of one load share while they are parsed.
 struct ParseContext {
-    const Sources& sources;
+    Sources& sources;
     Symbols& symbols;
     Arena& arena;
     scene::Scene& scene;                    // takes the blocks that are all literals
@@ -31,6 +31,7 @@ struct ParseContext {
 struct ParsedFile {
     std::span<Item* const> items{};
     std::vector<IncludeItem*> includes{};
+    std::vector<ImportItem*> imports{};
 
     /// Braces do not match: what stands in which block is a guess, not to be checked.
     bool is_structure_known = true;

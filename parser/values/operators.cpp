@@ -163,6 +163,12 @@ bool take_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics& diag
     return false;
 }
 
+bool take_kept_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics& diagnostics) {
+    if (!take_bytes(budget, size, span, diagnostics)) return false;
+    budget.kept_bytes += size;
+    return true;
+}
+
 bool take_numbers(Budget& budget, std::uint64_t count, Span span, Diagnostics& diagnostics) {
     constexpr std::uint64_t kFree = 4;  // vectors cost what numbers cost
     return take_bytes(budget, count * sizeof(double), span, diagnostics) &&

@@ -20,6 +20,7 @@ struct Budget {
     std::uint64_t max_steps = 0;        // for the messages
     std::uint64_t max_value_bytes = 0;  // likewise
     std::uint64_t max_list_size = 0;    // elements of one list
+    std::uint64_t kept_bytes = 0;       // taken for good
     bool is_spent = false;
 };
 
@@ -28,6 +29,9 @@ bool take_steps(Budget& budget, std::uint64_t count, Span span, Diagnostics& dia
 
 /// Takes memory for something computed. Errors: false, E0516 reported at `span`.
 bool take_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics& diagnostics);
+
+/// Takes memory for something that stays to the end of the run. Errors as take_bytes().
+bool take_kept_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics& diagnostics);
 
 /// Takes what making `count` numbers costs: memory, and a step each beyond the first few.
 bool take_numbers(Budget& budget, std::uint64_t count, Span span, Diagnostics& diagnostics);

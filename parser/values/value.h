@@ -17,7 +17,8 @@ namespace lray::parser {
 struct BlockSchema;
 struct Function;
 struct RecordField;
-class PropertyValues;
+struct FunctionValue;
+struct Value;
 
 enum class ValueKind : std::uint8_t {
     none,    // absent: a property that is not set. Never the value of an expression
@@ -41,12 +42,13 @@ enum class ValueKind : std::uint8_t {
 /// properties can be made.
 struct Made {
     const BlockSchema* schema = nullptr;
-    const PropertyValues* values = nullptr;
-    std::uint32_t id = 0;      // TextureId, MaterialId or NodeId
-    scene::NodeId children{};  // of a component: what was put between its braces; none: nothing
-};
+    const Value* values = nullptr;  // one for each property of the schema
+    std::uint32_t id = 0;           // TextureId, MaterialId or NodeId
 
-struct FunctionValue;
+    // Of a component
+    const FunctionValue* component = nullptr;
+    scene::NodeId children{};  // what was put between its braces; none: nothing
+};
 
 /// Lists, records and captured values are nested at most so deep, so passes over them may recurse.
 inline constexpr std::uint8_t kMaxValueDepth = 200;
@@ -146,6 +148,8 @@ struct Value {
         return kind == ValueKind::numbers && count == size;
     }
     std::string_view string() const { return {text, count}; }
+    /// Of everything but numbers and booleans: where its contents are.
+    const void* pointer() const { return text; }
     DVec3 vec3() const { return {numbers[0], numbers[1], numbers[2]}; }
 };
 static_assert(sizeof(Value) == 16);

@@ -67,6 +67,8 @@ std::string in_words(const PropertySchema& property) {
             return "rows of 3 numbers";
         case PropertyType::uvs:
             return "rows of 2 numbers";
+        case PropertyType::any:
+            return "any value";
         case PropertyType::index_triples:
             return "rows of 3 whole numbers";
     }

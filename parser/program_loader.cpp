@@ -1,0 +1,79 @@
+#include "parser/program_loader.h"
+
+#include <fmt/format.h>
+
+namespace lray::parser {
+
+std::span<Item* const> ProgramLoader::parse(SourceId source) {
+    ParsedFile file = lray::parser::parse(source, context_, diagnostics_);
+    is_structure_known_ = is_structure_known_ && file.is_structure_known;
+    open_.push_back(source);
+    for (IncludeItem* item : file.includes) include(*item);
+    for (ImportItem* item : file.imports) import(*item);
+    open_.pop_back();
+    return file.items;
+}
+
+void ProgramLoader::include(IncludeItem& item) {
+    const std::optional<SourceId> source = open(*item.path);
+    if (!source) return;
+    item.items = parse(*source);
+    item.is_loaded = true;
+}
+
+void ProgramLoader::import(ImportItem& item) {
+    const std::optional<SourceId> source = open(*item.path);
+    if (!source) return;
+    Module*& known = modules_[path(*source)];
+    if (known == nullptr) {
+        Module* const module = context_.arena.make<Module>();
+        known = module;  // before its own imports are read
+        module->source = *source;
+        module->items = parse(*source);
+    }
+    item.module = known;
+}
+
+// Reads the file that is named here, if it may be part of the program here.
+std::optional<SourceId> ProgramLoader::open(const StringExpr& path) {
+    const std::optional<SourceId> source = files_.scene(path.value, open_.back(), path.span);
+    if (!source) return std::nullopt;
+    if (is_open(*source)) {
+        report_cycle(*source, path.span);
+        return std::nullopt;
+    }
+    if (open_.size() > limits_.include_depth) {
+        diagnostics_
+            .error(Code::E0515, path.span,
+                   fmt::format("includes are nested more than {} deep", limits_.include_depth))
+            .with_help("raise the limit with `--max-include-depth N`");
+        return std::nullopt;
+    }
+    return source;
+}
+
+// Two names of one file (a link) are not recognised as a cycle; the depth limit ends it.
+bool ProgramLoader::is_open(SourceId source) const {
+    for (const SourceId opened : open_) {
+        if (path(opened) == path(source)) return true;
+    }
+    return false;
+}
+
+void ProgramLoader::report_cycle(SourceId source, Span span) {
+    std::string chain;
+    bool is_in_cycle = false;
+    for (const SourceId opened : open_) {
+        is_in_cycle = is_in_cycle || path(opened) == path(source);
+        if (is_in_cycle) chain += fmt::format("{} -> ", path(opened));
+    }
+    chain += path(source);
+    const bool is_itself = path(open_.back()) == path(source);
+    diagnostics_
+        .error(Code::E0602, span,
+               is_itself ? fmt::format("{} includes itself", path(source))
+                         : fmt::format("{} is already being included", path(source)))
+        .with_note(fmt::format("the chain is {}", chain));
+}
+
+}  // namespace lray::parser

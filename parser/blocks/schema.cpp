@@ -87,8 +87,7 @@ constexpr std::array<FutureProperty, 18> kPropertiesNotYet = {{
     {BlockKind::material, "normal_map"},
 }};
 
-constexpr std::array<std::string_view, 44> kNotYet = {{
-    "torus",
+constexpr std::array<std::string_view, 43> kNotYet = {{
     "heightfield",
     "terrain",
     "union",

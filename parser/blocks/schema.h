@@ -79,13 +79,14 @@ enum class BlockKind : std::uint8_t {
     disk,
     box,
     plane,
+    torus,
     mesh,
     material,
     camera,
     render,
     info,
 };
-inline constexpr std::size_t kBlockKindCount = 13;
+inline constexpr std::size_t kBlockKindCount = 14;
 
 /// The most properties a block has: the size of the evaluator's slot array.
 inline constexpr std::size_t kMaxProperties = 20;

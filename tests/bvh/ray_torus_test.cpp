@@ -303,6 +303,34 @@ TEST(RayTorusFar, KeepsItsSilhouetteFromAMillionRadii) {
     EXPECT_FALSE(meet(world, id, {{0.5001f, 1e6f, 0}, {0, -1, 0}}).is_none());
 }
 
+TEST(RayTorusScale, VeryUnequalByAxisAgreesWithLongDouble) {
+    constexpr std::uint64_t kSeed = 46;
+    Random random(kSeed);
+    int hits = 0;
+    for (int i = 0; i < 4000; ++i) {
+        DMat3 scale{1.0};
+        for (int axis = 0; axis < 3; ++axis) {
+            scale[axis][axis] = std::pow(10.0, static_cast<double>(random.uniform(-4.0f, 0.0f)));
+        }
+        const DMat3 linear = random.rotation() * scale;
+        World world;
+        const PrimitiveId id = add_torus(world, make_frame(linear, {0, 0, 0}), 0.3f);
+        const Vec3 aim{linear * DVec3{random.in_cube(0.9f)}};
+        const Vec3 origin = 2.0f * random.direction();
+        const Ray ray{origin, Vec3{glm::normalize(DVec3{aim} - DVec3{origin})}};
+        const auto expected = reference_nearest(world, ray, {});
+        const Hit hit = meet(world, id, ray);
+        ASSERT_EQ(hit.is_none(), !expected.has_value()) << "seed " << kSeed << " i " << i;
+        if (!expected) continue;
+        ++hits;
+        ASSERT_NEAR(hit.t, static_cast<double>(expected->t), 3e-7)
+            << "seed " << kSeed << " i " << i;
+        const SurfacePoint p = surface_at(world, ray, hit);
+        ASSERT_NEAR(glm::length(DVec3{p.normal}), 1.0, 1e-6) << "seed " << kSeed << " i " << i;
+    }
+    EXPECT_GT(hits, 1000);
+}
+
 TEST(RayTorusBounds, HoldAllHits) {
     constexpr std::uint64_t kSeed = 44;
     Random random(kSeed);

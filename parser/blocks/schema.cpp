@@ -87,6 +87,7 @@ constexpr std::array<FutureProperty, 18> kPropertiesNotYet = {{
     {BlockKind::material, "normal_map"},
 }};
 
+// clang-format off
 constexpr std::array<std::string_view, 43> kNotYet = {{
     "heightfield",
     "terrain",
@@ -132,6 +133,7 @@ constexpr std::array<std::string_view, 43> kNotYet = {{
     "shuffle",
     "pick",
 }};
+// clang-format on
 
 std::string_view find_habit(std::span<const Habit> habits, std::string_view name) {
     for (const Habit& habit : habits) {

@@ -153,9 +153,9 @@ constexpr CodeInfo kInfos[] = {
  "let r = 1"},
 {LRAY_CODE(E0120), "not available in this version",
  "This part of the language is planned but does not exist in this version of lray: loops, functions "
- "and components, lights, textures, and the shapes torus, heightfield and terrain.",
- "torus { radius: 1, tube: 0.25 }",
- "cylinder { from: [0, -0.25, 0], to: [0, 0.25, 0], radius: 1 }"},
+ "and components, lights, textures, and the shapes heightfield and terrain.",
+ "union {\n  sphere { }\n}",
+ "group {\n  sphere { }\n}"},
 
 {LRAY_CODE(E0201), "unknown name",
  "Nothing of this name is defined here. A name given with `let` exists from its line to the end of "

@@ -27,6 +27,8 @@ KernelHit dispatch(const scene::World& world, scene::PrimitiveId id, const Prepa
             return intersect_kind<box>(world, id.index(), ray, interval);
         case plane:
             return intersect_kind<plane>(world, id.index(), ray, interval);
+        case torus:
+            return intersect_kind<torus>(world, id.index(), ray, interval);
     }
     LRAY_ASSERT(false);
 }

@@ -190,6 +190,33 @@ Site site_of_plane(const scene::Plane& plane, const PreparedRay& ray, const Hit&
     return site;
 }
 
+/// Where the tube overlaps itself the surface ends in a tip on the axis, which has no normal.
+Site site_of_torus(const scene::Torus& torus, const PreparedRay& ray, const Hit& hit) {
+    // The crossing that was rounded to the hit's t.
+    const auto t = torus_crossing(torus, ray, {next_down(hit.t), next_up(hit.t)});
+    LRAY_ASSERT(t.has_value());
+    const FramePoint p = frame_point(torus.frame, at(ray, *t));
+    const double radius = torus.radius();
+    const double tube = static_cast<double>(torus.tube);
+    const double rho = std::sqrt(p.object.x * p.object.x + p.object.z * p.object.z);
+    const double over = rho - radius;
+    // F = (rho - R)^2 + y^2 - r^2
+    const double per_rho = rho > 0.0 ? 2.0 * over / rho : 0.0;
+    DVec3 gradient_object{per_rho * p.object.x, 2.0 * p.object.y, per_rho * p.object.z};
+    if (gradient_object == DVec3{0.0}) gradient_object.y = 1.0;
+    Site site;
+    site.position = p.world;
+    site.gradient = world_gradient(torus.frame, gradient_object);
+    site.value = std::fabs(over * over + p.object.y * p.object.y - tube * tube);
+    site.magnitude =
+        2.0 * (std::fabs(over) * (p.magnitude_object.x + p.magnitude_object.z + rho + radius) +
+               std::fabs(p.object.y) * p.magnitude_object.y + tube * tube);
+    // The second derivative is 2 - 2 R rho'', and rho'' at most 1 / rho.
+    site.curvature = (2.0 + 2.0 * radius / rho) * sum_of_squares(torus.frame.object_from_world) /
+                     std::sqrt(dot(site.gradient, site.gradient));
+    return site;
+}
+
 Site find_site(const scene::World& world, const PreparedRay& ray, const Hit& hit) {
     using enum scene::PrimitiveKind;
     const std::size_t index = hit.primitive_id.index();
@@ -212,6 +239,8 @@ Site find_site(const scene::World& world, const PreparedRay& ray, const Hit& hit
             return site_of_box(world.boxes[index], ray, hit);
         case plane:
             return site_of_plane(world.planes[index], ray, hit);
+        case torus:
+            return site_of_torus(world.tori[index], ray, hit);
     }
     LRAY_ASSERT(false);
 }

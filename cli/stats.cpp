@@ -13,7 +13,8 @@ namespace lray::cli {
 namespace {
 
 constexpr std::array<std::string_view, scene::kPrimitiveKindCount> kKindNames{
-    "triangles", "rectangles", "spheres", "ellipsoids", "cylinders", "disks", "boxes", "planes"};
+    "triangles", "rectangles", "spheres", "ellipsoids", "cylinders",
+    "disks",     "boxes",      "planes",  "tori"};
 
 std::string_view accel_name(bvh::AccelKind kind) {
     switch (kind) {

@@ -73,6 +73,7 @@ void reserve(World& world, const FlattenCounts& counts) {
     reserve_kind(world.disks, PrimitiveKind::disk, counts.shapes_of(NodeKind::disk));
     reserve_kind(world.boxes, PrimitiveKind::box, counts.shapes_of(NodeKind::box));
     reserve_kind(world.planes, PrimitiveKind::plane, counts.shapes_of(NodeKind::plane));
+    reserve_kind(world.tori, PrimitiveKind::torus, counts.shapes_of(NodeKind::torus));
     // Most spheres stay spheres; ellipsoids grow as they come.
     reserve_kind(world.spheres, PrimitiveKind::sphere, counts.shapes_of(NodeKind::sphere));
     // A closed mesh has half as many vertices as triangles.

@@ -11,7 +11,7 @@ namespace lray::scene {
 
 /// Counts saturate at 2^64 - 1.
 struct FlattenCounts {
-    std::array<std::uint64_t, 10> shapes{};  // by NodeKind: placements of shapes and meshes
+    std::array<std::uint64_t, 11> shapes{};  // by NodeKind: placements of shapes and meshes
     std::uint64_t mesh_triangles = 0;
     std::uint64_t primitives = 0;
     std::uint64_t visits = 0;  // nodes entered by a walk over every path that leads to a primitive

@@ -32,6 +32,8 @@ std::string_view name_of(NodeKind kind) {
             return "box";
         case NodeKind::plane:
             return "plane";
+        case NodeKind::torus:
+            return "torus";
         case NodeKind::mesh:
             return "mesh";
         case NodeKind::instance:
@@ -104,6 +106,8 @@ void Placer::place(NodeId node_id, const Placement& placement) {
             return place_box(node, placement);
         case NodeKind::plane:
             return place_plane(node, placement);
+        case NodeKind::torus:
+            return place_torus(node, placement);
         case NodeKind::mesh:
             return place_mesh(node, placement);
         case NodeKind::group:
@@ -259,6 +263,27 @@ void Placer::place_plane(const Node& node, const Placement& placement) {
     }
     world_.planes.push_back({Vec3{point}, Vec3{*normal}});
     add_object_id(PrimitiveKind::plane);
+}
+
+void Placer::place_torus(const Node& node, const Placement& placement) {
+    const TorusShape& shape = scene_.tori[node.index];
+    const Transform& transform = placement.world_from_object;
+    const double outer_radius = shape.radius + shape.tube;
+    const auto frame = make_frame(node, transform.linear() * outer_radius, transform.offset());
+    if (!frame) return;
+    const double tube = shape.tube / outer_radius;
+    double steepest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        steepest = std::max(steepest, reach(DVec3{frame->object_from_world[column]}));
+    }
+    if (!(tube / steepest >= kMinSize)) {
+        refuse(Code::E0304, node,
+               fmt::format("the tube of this torus is {} thin in the world; the least is {}",
+                           tube / steepest, kMinSize));
+        return;
+    }
+    world_.tori.push_back({*frame, static_cast<float>(tube)});
+    add_object_id(PrimitiveKind::torus);
 }
 
 std::optional<AffineFrame> Placer::make_frame(const Node& node, const DMat3& linear, DVec3 offset) {

@@ -55,6 +55,7 @@ class Placer {
     void place_disk(const Node& node, const Placement& placement);
     void place_box(const Node& node, const Placement& placement);
     void place_plane(const Node& node, const Placement& placement);
+    void place_torus(const Node& node, const Placement& placement);
     void place_mesh(const Node& node, const Placement& placement);
     void place_triangles(const Node& node, TriangleRange range, const Placement& placement);
 

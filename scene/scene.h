@@ -26,6 +26,7 @@ enum class NodeKind : std::uint8_t {
     disk,
     box,
     plane,
+    torus,
     mesh,
     instance,
 };
@@ -72,6 +73,7 @@ struct Scene {
     std::vector<DiskShape> disks{};
     std::vector<BoxShape> boxes{};
     std::vector<PlaneShape> planes{};
+    std::vector<TorusShape> tori{};
     std::vector<MeshUse> mesh_uses{};
     std::vector<Instance> instances{};
 

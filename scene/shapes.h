@@ -67,4 +67,11 @@ struct PlaneShape {
     DVec3 normal{0.0, 1.0, 0.0};
 };
 
+/// Around the Y axis. With `tube` greater than `radius` the tube overlaps itself, and the shape is
+/// its outside: an apple.
+struct TorusShape {
+    double radius = 1.0;  // from the centre to the middle of the tube
+    double tube = 0.25;   // radius of the tube
+};
+
 }  // namespace lray::scene

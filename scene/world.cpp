@@ -130,11 +130,26 @@ Bounds bounds_of(const Box& box) {
     return result;
 }
 
+/// The convex hull is that of balls along a circle: their reaches add up.
+Bounds bounds_of(const Torus& torus) {
+    const WorldFromObject frame = invert(torus.frame);
+    const DVec3 circle = circle_extent(frame);
+    DVec3 extent{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const DVec3 row{frame.linear[0][axis], frame.linear[1][axis], frame.linear[2][axis]};
+        extent[axis] = torus.radius() * circle[axis] +
+                       static_cast<double>(torus.tube) * std::sqrt(dot(row, row));
+    }
+    Bounds result;
+    add_around(result, frame, DVec3{0.0}, extent);
+    return result;
+}
+
 }  // namespace
 
 std::size_t World::primitive_count() const {
     return triangles.size() + rectangles.size() + spheres.size() + ellipsoids.size() +
-           cylinders.size() + disks.size() + boxes.size() + planes.size();
+           cylinders.size() + disks.size() + boxes.size() + planes.size() + tori.size();
 }
 
 Bounds primitive_bounds(const World& world, PrimitiveId id) {
@@ -156,6 +171,8 @@ Bounds primitive_bounds(const World& world, PrimitiveId id) {
             return bounds_of(world.boxes[index]);
         case PrimitiveKind::plane:
             break;
+        case PrimitiveKind::torus:
+            return bounds_of(world.tori[index]);
     }
     LRAY_ASSERT(id.kind() != PrimitiveKind::plane);
     return {};
@@ -170,6 +187,7 @@ Bounds finite_bounds(const World& world) {
     for (const Cylinder& cylinder : world.cylinders) result.add(bounds_of(cylinder));
     for (const Disk& disk : world.disks) result.add(bounds_of(disk));
     for (const Box& box : world.boxes) result.add(bounds_of(box));
+    for (const Torus& torus : world.tori) result.add(bounds_of(torus));
     return result;
 }
 

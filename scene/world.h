@@ -24,8 +24,9 @@ enum class PrimitiveKind : std::uint8_t {
     disk,
     box,
     plane,
+    torus,
 };
-inline constexpr std::size_t kPrimitiveKindCount = 8;
+inline constexpr std::size_t kPrimitiveKindCount = 9;
 
 /// A primitive of the world: its kind in the top bits, its index below. Ids are totally ordered;
 /// the least one wins when two primitives are hit at the same t.
@@ -104,6 +105,16 @@ struct Plane {
     Vec3 normal{0.0f, 1.0f, 0.0f};
 };
 
+/// The torus around +Y that just fits into the unit sphere: the tube has the radius `tube`, in
+/// (0, 1], and its middle is 1 - tube from the axis, under an affine map. Where the tube overlaps
+/// itself (tube > 1/2) only the outside is surface.
+struct Torus {
+    AffineFrame frame{};
+    float tube = 0.2f;
+
+    double radius() const { return 1.0 - static_cast<double>(tube); }
+};
+
 /// What a primitive belongs to: one shape or mesh in one place of the graph. Painted in one colour
 /// at level 1.
 struct Object {
@@ -125,6 +136,7 @@ struct World {
     std::vector<Disk> disks{};
     std::vector<Box> boxes{};
     std::vector<Plane> planes{};
+    std::vector<Torus> tori{};
 
     std::vector<Vec3> normals{};
     std::vector<Vec2> uvs{};

@@ -9,6 +9,7 @@
 #include "bvh/kernels/plane.h"
 #include "bvh/kernels/rectangle.h"
 #include "bvh/kernels/sphere.h"
+#include "bvh/kernels/torus.h"
 #include "bvh/kernels/triangle.h"
 
 namespace lray::bvh {
@@ -34,9 +35,11 @@ KernelHit intersect_kind(const scene::World& world, std::size_t index, const Pre
         return first_in(crossings(world.disks[index], ray), interval);
     } else if constexpr (kind == box) {
         return first_in(crossings(world.boxes[index], ray), interval);
-    } else {
-        static_assert(kind == plane);
+    } else if constexpr (kind == plane) {
         return first_in(crossings(world.planes[index], ray), interval);
+    } else {
+        static_assert(kind == torus);
+        return intersect_torus(world.tori[index], ray, interval);
     }
 }
 

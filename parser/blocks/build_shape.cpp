@@ -218,6 +218,12 @@ std::optional<ShapeRef> build_shape(const BlockSchema& schema, const PropertyVal
             return ShapeRef{NodeKind::plane,
                             add(scene.planes, {values.vec3(kPoint), unit(values.vec3(kNormal))})};
         }
+        case BlockKind::torus: {
+            constexpr std::size_t kRadius = slot(kTorus, "radius");
+            constexpr std::size_t kTube = slot(kTorus, "tube");
+            return ShapeRef{NodeKind::torus,
+                            add(scene.tori, {values.number(kRadius), values.number(kTube)})};
+        }
         case BlockKind::group:
         case BlockKind::mesh:
         case BlockKind::material:

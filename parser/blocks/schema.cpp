@@ -87,8 +87,8 @@ constexpr std::array<FutureProperty, 18> kPropertiesNotYet = {{
     {BlockKind::material, "normal_map"},
 }};
 
-constexpr std::array<std::string_view, 44> kNotYet = {{
-    "torus",
+// clang-format off
+constexpr std::array<std::string_view, 43> kNotYet = {{
     "heightfield",
     "terrain",
     "union",
@@ -133,6 +133,7 @@ constexpr std::array<std::string_view, 44> kNotYet = {{
     "shuffle",
     "pick",
 }};
+// clang-format on
 
 std::string_view find_habit(std::span<const Habit> habits, std::string_view name) {
     for (const Habit& habit : habits) {

@@ -80,6 +80,7 @@ enum class BlockKind : std::uint8_t {
     disk,
     box,
     plane,
+    torus,
     mesh,
     material,
     camera,
@@ -88,7 +89,7 @@ enum class BlockKind : std::uint8_t {
     record,
     component,  // of the scene; has no table of its own
 };
-inline constexpr std::size_t kBlockKindCount = 14;  // that are built in
+inline constexpr std::size_t kBlockKindCount = static_cast<std::size_t>(BlockKind::component);
 
 /// The most properties a block has: the size of the evaluator's slot array.
 inline constexpr std::size_t kMaxProperties = 32;

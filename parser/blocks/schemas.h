@@ -79,6 +79,11 @@ inline constexpr std::array<PropertySchema, 2> kPlane = {{
     {"normal", direction, "[0, 1, 0]", "the side it faces", kAnyNumber, {0, 1, 0}},
 }};
 
+inline constexpr std::array<PropertySchema, 2> kTorus = {{
+    {"radius", number, "1", "from the centre to the middle of the tube", kPositive, {1}},
+    {"tube", number, "0.25", "the radius of the tube", kPositive, {0.25}},
+}};
+
 inline constexpr std::array<PropertySchema, 7> kMesh = {{
     {"file", file, "", "an OBJ file", kAnyNumber, {}, true, Form::first},
     {"part", string, "", "only the group or object of that name", kAnyNumber, {}, false, Form::first},
@@ -131,6 +136,7 @@ inline constexpr std::array<BlockSchema, kBlockKindCount> kBlocks = {{
     {BlockKind::disk, "disk", "a flat disk, with a hole if wanted", kDisk, true},
     {BlockKind::box, "box", "a box along the axes", kBox, true},
     {BlockKind::plane, "plane", "an infinite plane", kPlane, true},
+    {BlockKind::torus, "torus", "a ring with a round section, around the Y axis", kTorus, true},
     {BlockKind::mesh, "mesh", "triangles from a file or from lists", kMesh, true},
     {BlockKind::material, "material", "a surface", kMaterial},
     {BlockKind::camera, "camera", "a view; the first one is the default", kCamera},

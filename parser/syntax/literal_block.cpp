@@ -70,7 +70,7 @@ const char* read_numbers(const char* at, std::size_t width, double* numbers) {
 bool Parser::literal_block(const Token& name, scene::NodeId& node) {
     const BlockSchema* const schema = find_block(name.symbol);
     const bool is_shape =
-        schema != nullptr && schema->kind >= BlockKind::sphere && schema->kind <= BlockKind::plane;
+        schema != nullptr && schema->kind >= BlockKind::sphere && schema->kind <= BlockKind::torus;
     if (!is_shape) return false;
     const char* at = skip_blanks(lexer_.begin() + name.end());
     if (*at != '{') return false;

@@ -174,7 +174,7 @@ TEST(RayQuadricScale, AgreesWithLongDouble) {
     Random random(kSeed);
     for (const PrimitiveKind kind :
          {PrimitiveKind::sphere, PrimitiveKind::ellipsoid, PrimitiveKind::cylinder,
-          PrimitiveKind::disk, PrimitiveKind::box, PrimitiveKind::plane}) {
+          PrimitiveKind::disk, PrimitiveKind::box, PrimitiveKind::plane, PrimitiveKind::torus}) {
         for (const float scale : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f}) {
             for (const float offset : {0.0f, 1e2f, 1e4f}) {
                 int hits = 0;

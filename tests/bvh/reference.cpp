@@ -96,6 +96,74 @@ void meet_disk(const scene::Disk& disk, const LongRay& world_ray, std::vector<Lo
     if (radius <= 1 && radius >= static_cast<Long>(disk.hole)) found.push_back(t);
 }
 
+Long value_of(const std::vector<Long>& polynomial, Long s) {
+    Long value = 0;
+    for (auto c = polynomial.rbegin(); c != polynomial.rend(); ++c) value = value * s + *c;
+    return value;
+}
+
+/// Returns the places in [lo, hi] at which the polynomial (constant term first) changes its sign,
+/// by halving between those of its derivative.
+std::vector<Long> sign_changes(const std::vector<Long>& polynomial, Long lo, Long hi) {
+    if (polynomial.size() < 2) return {};
+    std::vector<Long> derivative;
+    for (std::size_t i = 1; i < polynomial.size(); ++i) {
+        derivative.push_back(static_cast<Long>(i) * polynomial[i]);
+    }
+    std::vector<Long> ends = sign_changes(derivative, lo, hi);
+    ends.insert(ends.begin(), lo);
+    ends.push_back(hi);
+    std::vector<Long> found;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        Long a = ends[i];
+        Long b = ends[i + 1];
+        const bool is_negative = value_of(polynomial, a) < 0;
+        if (is_negative == (value_of(polynomial, b) < 0)) continue;
+        for (int step = 0; step < 80; ++step) {
+            const Long middle = (a + b) / 2;
+            ((value_of(polynomial, middle) < 0) == is_negative ? a : b) = middle;
+        }
+        found.push_back((a + b) / 2);
+    }
+    return found;
+}
+
+/// By the quartic (|p|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + z^2), around the point nearest the centre.
+/// Its roots with a negative left side under the square are on the inner surface of a tube that
+/// overlaps itself.
+void meet_torus(const scene::Torus& torus, const LongRay& world_ray, std::vector<Long>& found) {
+    const LongRay ray = object_ray(torus.frame, world_ray);
+    const Long tube = static_cast<Long>(torus.tube);
+    const Long radius = 1 - tube;
+    const Long length = glm::length(ray.dir);
+    if (!(length > 0)) return;
+    const LVec3 d = ray.dir / length;
+    Long shift = -glm::dot(ray.origin, d);
+    LVec3 o = ray.origin + shift * d;
+    const Long rest = -glm::dot(o, d);
+    shift += rest;
+    o += rest * d;
+    // |p|^2 + R^2 - r^2 = a s^2 + b s + c and x^2 + z^2 = e s^2 + f s + g
+    const Long a = glm::dot(d, d);
+    const Long b = 2 * glm::dot(o, d);
+    const Long c = glm::dot(o, o) + radius * radius - tube * tube;
+    const Long e = d.x * d.x + d.z * d.z;
+    const Long f = 2 * (o.x * d.x + o.z * d.z);
+    const Long g = o.x * o.x + o.z * o.z;
+    if (e < 1e-20L &&
+        g < 1e-20L) {  // along the axis: outer and inner surface meet, no sign changes
+        if (c > 0) return;
+        for (const Long s : roots(a, b, c)) found.push_back((s + shift) / length);
+        return;
+    }
+    const Long k = 4 * radius * radius;
+    const std::vector<Long> quartic{c * c - k * g, 2 * b * c - k * f, 2 * a * c + b * b - k * e,
+                                    2 * a * b, a * a};
+    for (const Long s : sign_changes(quartic, -1.5L, 1.5L)) {
+        if (a * s * s + b * s + c >= 0) found.push_back((s + shift) / length);
+    }
+}
+
 }  // namespace
 
 std::vector<Long> reference_crossings(const scene::World& world, PrimitiveId id, const Ray& r) {
@@ -141,6 +209,9 @@ std::vector<Long> reference_crossings(const scene::World& world, PrimitiveId id,
             }
             break;
         }
+        case PrimitiveKind::torus:
+            meet_torus(world.tori[i], ray, found);
+            break;
     }
     std::sort(found.begin(), found.end());
     return found;

@@ -17,10 +17,10 @@ using scene::PrimitiveId;
 using scene::PrimitiveKind;
 using scene::World;
 
-constexpr PrimitiveKind kKinds[] = {PrimitiveKind::triangle, PrimitiveKind::rectangle,
-                                    PrimitiveKind::sphere,   PrimitiveKind::ellipsoid,
-                                    PrimitiveKind::cylinder, PrimitiveKind::disk,
-                                    PrimitiveKind::box,      PrimitiveKind::plane};
+constexpr PrimitiveKind kKinds[] = {
+    PrimitiveKind::triangle,  PrimitiveKind::rectangle, PrimitiveKind::sphere,
+    PrimitiveKind::ellipsoid, PrimitiveKind::cylinder,  PrimitiveKind::disk,
+    PrimitiveKind::box,       PrimitiveKind::plane,     PrimitiveKind::torus};
 
 bool is_flat(PrimitiveKind kind) {
     return kind == PrimitiveKind::triangle || kind == PrimitiveKind::rectangle ||
@@ -50,6 +50,7 @@ class SurfaceOfKind : public testing::TestWithParam<PrimitiveKind> {};
 
 TEST_P(SurfaceOfKind, LeavingRayDoesNotMeetItAgain) {
     const PrimitiveKind kind = GetParam();
+    if (kind == PrimitiveKind::torus) return;  // it may, further on: ray_torus_test.cpp
     constexpr std::uint64_t kSeed = 688;
     Random random(kSeed);
     for (const float scale : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f}) {
@@ -86,7 +87,8 @@ TEST_P(SurfaceOfKind, LeavingRayDoesNotMeetItAgain) {
 
 TEST_P(SurfaceOfKind, RayIntoASolidMeetsOnlyTheFarSide) {
     const PrimitiveKind kind = GetParam();
-    if (is_flat(kind)) return;  // both sides are tested above
+    if (is_flat(kind)) return;                 // both sides are tested above
+    if (kind == PrimitiveKind::torus) return;  // nor is it convex
     constexpr std::uint64_t kSeed = 689;
     Random random(kSeed);
     for (const float scale : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f}) {

@@ -63,6 +63,11 @@ PrimitiveId add_plane(scene::World& world, Vec3 point, Vec3 normal) {
     return finish(world, PrimitiveKind::plane, world.planes.size());
 }
 
+PrimitiveId add_torus(scene::World& world, const scene::AffineFrame& frame, float tube) {
+    world.tori.push_back({frame, tube});
+    return finish(world, PrimitiveKind::torus, world.tori.size());
+}
+
 scene::AffineFrame make_frame(const DMat3& linear, Vec3 origin) {
     return {origin, Mat3{glm::inverse(linear)}};
 }
@@ -142,6 +147,10 @@ PrimitiveId add_random(scene::World& world, Random& random, PrimitiveKind kind, 
             return add_box(world, any_frame());
         case PrimitiveKind::plane:
             return add_plane(world, center, random.direction());
+        case PrimitiveKind::torus: {
+            constexpr float kTubes[] = {0.05f, 0.2f, 0.4f, 0.5f, 0.7f};
+            return add_torus(world, any_frame(), kTubes[random.below(5)]);
+        }
     }
     return {};
 }

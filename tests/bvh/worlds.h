@@ -20,6 +20,7 @@ scene::PrimitiveId add_cylinder(scene::World& world, const scene::AffineFrame& f
 scene::PrimitiveId add_disk(scene::World& world, const scene::AffineFrame& frame, float hole);
 scene::PrimitiveId add_box(scene::World& world, const scene::AffineFrame& frame);
 scene::PrimitiveId add_plane(scene::World& world, Vec3 point, Vec3 normal);
+scene::PrimitiveId add_torus(scene::World& world, const scene::AffineFrame& frame, float tube);
 
 /// Makes the frame of the map q -> linear q + origin.
 scene::AffineFrame make_frame(const DMat3& linear, Vec3 origin);

@@ -258,6 +258,9 @@ std::string dump(const scene::Scene& scene, const Sources& sources) {
                 add3(scene.planes[n.index].point);
                 add3(scene.planes[n.index].normal);
                 break;
+            case scene::NodeKind::torus:
+                add(scene.tori[n.index].radius, scene.tori[n.index].tube);
+                break;
             case scene::NodeKind::mesh:
                 add(scene.mesh_uses[n.index].z_is_up);
                 break;
@@ -311,6 +314,7 @@ std::string literal_scene(Random& random) {
         {"box", {{"min", 3}, {"max", 3}}},
         {"box", {{"center", 3}, {"size", 3}, {"translate", 3}}},
         {"plane", {{"point", 3}, {"normal", 3}}},
+        {"torus", {{"radius", 1}, {"tube", 1}}},
     };
     std::string scene;
     const std::uint64_t count = 1 + random.below(6);

@@ -39,7 +39,7 @@ void expect_same(const Transform& a, const Transform& b) {
 
 TEST(Shapes, DefaultsAreThoseOfTheScene) {
     const scene::Scene scene =
-        right("sphere { }\nrectangle { }\ncylinder { }\ndisk { }\nbox { }\nplane { }");
+        right("sphere { }\nrectangle { }\ncylinder { }\ndisk { }\nbox { }\nplane { }\ntorus { }");
     EXPECT_EQ(scene.spheres[0].center, scene::SphereShape{}.center);
     EXPECT_EQ(scene.spheres[0].radius, scene::SphereShape{}.radius);
     EXPECT_EQ(scene.rectangles[0].corner, scene::RectangleShape{}.corner);
@@ -53,6 +53,8 @@ TEST(Shapes, DefaultsAreThoseOfTheScene) {
     EXPECT_EQ(scene.boxes[0].min, scene::BoxShape{}.min);
     EXPECT_EQ(scene.boxes[0].max, scene::BoxShape{}.max);
     EXPECT_EQ(scene.planes[0].normal, scene::PlaneShape{}.normal);
+    EXPECT_EQ(scene.tori[0].radius, scene::TorusShape{}.radius);
+    EXPECT_EQ(scene.tori[0].tube, scene::TorusShape{}.tube);
 }
 
 TEST(Shapes, TwoFormsOfOneRectangleAgree) {

@@ -201,6 +201,18 @@ TEST(FlattenPlane, NormalIsUnitAndGoesByTheInverseTranspose) {
     expect_near(DVec3{world.planes[0].normal}, {0, 0.5 / length, 1.0 / 3.0 / length});
 }
 
+TEST(FlattenTorus, FitsIntoTheUnitSphereOfItsFrame) {
+    const World world = flatten_one(TorusShape{3, 1}, kStretch);
+    ASSERT_EQ(world.tori.size(), 1u);
+    EXPECT_EQ(world.tori[0].tube, 0.25f);
+    EXPECT_EQ(world.tori[0].radius(), 0.75);
+    expect_near(place(world.tori[0].frame, {0, 0, 0}), {0, 0, 0});
+    expect_near(place(world.tori[0].frame, {1, 0, 0}), {4, 0, 0});
+    expect_near(place(world.tori[0].frame, {0, 0.25, 0.75}), {0, 2, 9}, 1e-5);
+    // A tube that overlaps itself.
+    EXPECT_EQ(flatten_one(TorusShape{1, 3}).tori[0].tube, 0.75f);
+}
+
 class FlattenMesh : public testing::Test {
  protected:
     FlattenMesh() {
@@ -321,6 +333,8 @@ TEST(FlattenRefuses, CoordinatesBeyondTheWorld) {
     EXPECT_EQ(refuse_one(DiskShape{}, far).code, Code::E0304);
     EXPECT_EQ(refuse_one(BoxShape{}, far).code, Code::E0304);
     EXPECT_EQ(refuse_one(PlaneShape{}, far).code, Code::E0304);
+    EXPECT_EQ(refuse_one(TorusShape{}, far).code, Code::E0304);
+    EXPECT_EQ(refuse_one(TorusShape{1e308, 1e308}).code, Code::E0304);
 }
 
 TEST(FlattenRefuses, CoordinatesThatAreNotNumbers) {
@@ -358,7 +372,8 @@ TEST(FlattenAccepts, AllScalesThatFloatCanHold) {
         maker.place(maker.add(DiskShape{}, scaled));
         maker.place(maker.add(BoxShape{}, scaled));
         maker.place(maker.add(PlaneShape{}, scaled));
-        EXPECT_EQ(maker.flatten_cleanly().primitive_count(), 7u);
+        maker.place(maker.add(TorusShape{}, scaled));
+        EXPECT_EQ(maker.flatten_cleanly().primitive_count(), 8u);
     }
 }
 

@@ -60,6 +60,11 @@ NodeId SceneMaker::add(const PlaneShape& shape, const NodeSettings& settings) {
     return add_node(NodeKind::plane, scene.planes.size() - 1, settings);
 }
 
+NodeId SceneMaker::add(const TorusShape& shape, const NodeSettings& settings) {
+    scene.tori.push_back(shape);
+    return add_node(NodeKind::torus, scene.tori.size() - 1, settings);
+}
+
 NodeId SceneMaker::add(const MeshUse& use, const NodeSettings& settings) {
     scene.mesh_uses.push_back(use);
     return add_node(NodeKind::mesh, scene.mesh_uses.size() - 1, settings);

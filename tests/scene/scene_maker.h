@@ -30,6 +30,7 @@ class SceneMaker {
     NodeId add(const DiskShape& shape, const NodeSettings& settings = {});
     NodeId add(const BoxShape& shape, const NodeSettings& settings = {});
     NodeId add(const PlaneShape& shape, const NodeSettings& settings = {});
+    NodeId add(const TorusShape& shape, const NodeSettings& settings = {});
     NodeId add(const MeshUse& use, const NodeSettings& settings = {});
     NodeId add_group(std::vector<NodeId> children, const NodeSettings& settings = {});
     NodeId add_instance(NodeId target, const NodeSettings& settings = {});

@@ -152,6 +152,39 @@ TEST(PrimitiveBounds, OfBoxes) {
     }
 }
 
+TEST(PrimitiveBounds, OfTori) {
+    Random random(106);
+    for (const auto& [scale, offset] : kCases) {
+        for (const float tube : {0.01f, 0.25f, 0.5f, 0.75f}) {
+            World world;
+            world.tori.push_back({random_frame(random, scale, offset), tube});
+            const Torus& torus = world.tori[0];
+            const DMat3 linear = glm::inverse(DMat3{torus.frame.object_from_world});
+            Bounds exact;
+            const auto add = [&](double u, DVec3 out) {
+                const DVec3 core{torus.radius() * std::cos(u), 0.0, torus.radius() * std::sin(u)};
+                add_inward(exact, place(torus.frame, core + static_cast<double>(tube) * out));
+            };
+            for (int j = 0; j < 5000; ++j) {
+                const double u = random.uniform(-4.0, 4.0);
+                const double v = random.uniform(-4.0, 4.0);
+                const double across = std::cos(v);
+                // Of a tube that overlaps itself, the part that is outside.
+                if (torus.radius() + static_cast<double>(tube) * across < 0.0) continue;
+                add(u, {across * std::cos(u), std::sin(v), across * std::sin(u)});
+            }
+            // Extreme along axis e where the normal is parallel to W^T e.
+            for (int axis = 0; axis < 3; ++axis) {
+                const DVec3 row =
+                    glm::normalize(DVec3{linear[0][axis], linear[1][axis], linear[2][axis]});
+                add(std::atan2(row.z, row.x), row);
+                add(std::atan2(-row.z, -row.x), -row);
+            }
+            expect_tight(primitive_bounds(world, {PrimitiveKind::torus, 0}), exact, 1e-5);
+        }
+    }
+}
+
 TEST(PrimitiveBounds, OfSpheres) {
     Random random(105);
     for (const auto& [scale, offset] : kCases) {
@@ -190,12 +223,14 @@ TEST(FiniteBounds, LeaveOutPlanesAndMayBeEmpty) {
     EXPECT_TRUE(finite_bounds(world).is_empty());
     world.spheres.push_back({{0, 0, 0}, 1});
     world.boxes.push_back({{{5, 5, 5}, Mat3{1.0f}}});
+    world.tori.push_back({{{-7, 0, 0}, Mat3{1.0f}}});
     const Bounds bounds = finite_bounds(world);
     EXPECT_TRUE(bounds.contains(primitive_bounds(world, {PrimitiveKind::sphere, 0})));
     EXPECT_TRUE(bounds.contains(primitive_bounds(world, {PrimitiveKind::box, 0})));
-    EXPECT_NEAR(bounds.min.x, -1.0f, 1e-6f);
+    EXPECT_TRUE(bounds.contains(primitive_bounds(world, {PrimitiveKind::torus, 0})));
+    EXPECT_NEAR(bounds.min.x, -8.0f, 1e-5f);
     EXPECT_NEAR(bounds.max.x, 6.0f, 1e-5f);
-    EXPECT_EQ(world.primitive_count(), 3u);
+    EXPECT_EQ(world.primitive_count(), 4u);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "parser/tools/format_pieces.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "parser/syntax/characters.h"
 #include "parser/tools/format_spelling.h"
@@ -291,6 +292,12 @@ void PieceReader::place_token(const Token& token, std::vector<Piece>& pieces) {
                 : is_previous_comment_
                     ? (is_glued_to_comment ? 0 : 1)
                     : gap_between(previous_, is_previous_sign_, token.kind, piece.role);
+    const bool is_step_end = std::exchange(is_step_, false);
+    if (is_step_end) piece.gap = 0;
+    // `i++` is a mistake that is told as such; in a value, `a--b` are two signs.
+    is_step_ = is_one_of(token.kind, plus, minus) && previous_ == identifier &&
+               before_previous_ == nothing && is_in_braces() && token.end() < text_.size() &&
+               text_[token.end()] == text_[token.offset];
     piece.is_statement = begins_item && frames_.size() > 1 && is_keyword(token.kind);
     if (!track_brackets(token, piece.role)) return fail(pieces);
     pieces.push_back(piece);
@@ -302,7 +309,7 @@ void PieceReader::place_token(const Token& token, std::vector<Piece>& pieces) {
     is_separated_ = false;
     lines_ = 0;
     before_previous_ = begins_item ? nothing : previous_;
-    previous_ = token.kind;
+    previous_ = is_step_end ? identifier : token.kind;
 }
 
 // Returns false where brackets do not match, or are nested too deep.

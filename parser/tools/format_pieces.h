@@ -103,6 +103,7 @@ class PieceReader {
     bool is_previous_line_comment_ = false;
     bool is_separated_ = false;  // the next piece begins an item
     bool is_version_next_ = false;
+    bool is_step_ = false;  // the next token is the second sign of `i++`
     bool has_failed_ = false;
 };
 

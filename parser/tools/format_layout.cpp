@@ -11,12 +11,6 @@ constexpr std::int32_t kIndent = 2;
 
 }  // namespace
 
-// The i-th piece that is not placed yet. References are valid until the next call.
-const Piece& Layout::peek(std::size_t i) {
-    while (head_ + i >= pieces_.size()) reader_.read(pieces_);
-    return pieces_[head_ + i];
-}
-
 LayoutEnd Layout::run() {
     constexpr std::size_t kMaxPlaced = 4096;  // kept before the buffer is moved down
     text_.reserve(source_.size() + source_.size() / 16 + 64);
@@ -45,11 +39,7 @@ void Layout::place(const Piece& piece) {
     } else if (!frames_.back().is_flat && breaks_before(piece)) {
         break_line(piece);
     } else {
-        // Between the items of a block on one line; any other item has its own line.
-        const bool has_comma = piece.gap == 2 && piece.kind != PieceKind::line_comment;
-        text_ += has_comma && frames_.back().is_flat ? "," : "";
-        text_.append(has_comma ? 1 : piece.gap, ' ');
-        column_ += piece.gap;
+        append_gap(piece);
     }
     Frame& frame = frames_.back();
     if (frame.is_first || frame.is_behind_comma) frame.element_line = line_;
@@ -64,6 +54,18 @@ void Layout::place(const Piece& piece) {
         LRAY_ASSERT(frames_.size() > 1);
         frames_.pop_back();
     }
+}
+
+void Layout::append_gap(const Piece& piece) {
+    if (piece.gap == 0) return;
+    // Between the items of a block on one line; any other item has its own line.
+    const bool ends_item = piece.gap == 2 && piece.kind != PieceKind::line_comment;
+    if (!ends_item) {
+        text_.append(piece.gap, ' ');
+    } else {
+        text_ += frames_.back().is_flat ? ", " : " ";
+    }
+    column_ += piece.gap;
 }
 
 bool Layout::breaks_before(const Piece& piece) {
@@ -109,16 +111,16 @@ void Layout::break_line(const Piece& piece) {
 
 void Layout::append(const Piece& piece) {
     const std::string_view text = source_.substr(piece.offset, piece.length);
-    if (piece.token == TokenKind::number && !piece.is_verbatim) {
+    if (!piece.is_respelled) {
+        text_ += text;
+    } else if (piece.token == TokenKind::number) {
         append_number(text_, text);
     } else if (piece.token == TokenKind::color) {
         append_color(text_, text);
-    } else if (piece.has_line_end) {
+    } else {
         append_comment(text_, text);
         column_ = 0;
         ++line_;
-    } else {
-        text_ += text;
     }
     column_ += piece.width;
 }

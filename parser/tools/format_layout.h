@@ -40,11 +40,17 @@ class Layout {
     };
     enum class Fit : std::uint8_t { fits, too_wide, has_line_end };
 
-    const Piece& peek(std::size_t i);
+    /// The i-th piece that is not placed yet; the reference is valid until the next call.
+    const Piece& peek(std::size_t i) {
+        while (head_ + i >= pieces_.size()) reader_.read(pieces_);
+        return pieces_[head_ + i];
+    }
+
     void place(const Piece& piece);
     bool breaks_before(const Piece& piece);
     bool is_trailing(const Piece& piece);
     void break_line(const Piece& piece);
+    void append_gap(const Piece& piece);
     void append(const Piece& piece);
     void open(const Piece& piece);
     Fit measure_brackets();

@@ -146,6 +146,7 @@ void PieceReader::add_comment(PieceKind kind, std::uint32_t begin, std::uint32_t
     piece.offset = begin;
     piece.length = end - begin;
     piece.has_line_end = text.find_first_of("\r\n") != text.npos;
+    piece.is_respelled = piece.has_line_end;
     // Of several lines the last one is what the rest of the line stands behind.
     piece.width = text_width(text.substr(text.find_last_of("\r\n") + 1));
     piece.lines_before = lines_;
@@ -273,7 +274,7 @@ void PieceReader::place_token(const Token& token, std::vector<Piece>& pieces) {
     if (frame.opener == left_bracket && token.kind == kw_for && previous_ == left_bracket) {
         frame.has_for = true;
     }
-    place_comments(piece.continues, pieces);
+    if (!comments_.empty()) place_comments(piece.continues, pieces);
 
     const TokenKind before = begins_item ? nothing : previous_;
     const std::string_view text = text_.substr(token.offset, token.length);
@@ -282,8 +283,12 @@ void PieceReader::place_token(const Token& token, std::vector<Piece>& pieces) {
     piece.length = token.length;
     piece.width = token.length;
     if (token.kind == string) piece.width = text_width(text);
-    piece.is_verbatim = is_version_next_ && token.kind == number;
-    if (token.kind == number && !piece.is_verbatim) piece.width = number_width(text);
+    const bool is_version = is_version_next_ && token.kind == number;  // text: 1.10 is not 1.1
+    if (token.kind == number && !is_version && is_respelled(text)) {
+        piece.is_respelled = true;
+        piece.width = number_width(text);
+    }
+    piece.is_respelled = piece.is_respelled || token.kind == color;
     piece.role = role_of(token.kind, before);
     piece.lines_before = lines_;
     piece.is_separated = is_separated_ && !is_one_of(token.kind, right_brace, end);

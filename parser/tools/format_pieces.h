@@ -36,7 +36,7 @@ struct Piece {
     bool is_statement = false;  // begins a statement inside braces, which has its own line
     bool continues = false;     // begins a line that goes on with an item
     bool has_line_end = false;  // a block comment over several lines
-    bool is_verbatim = false;   // a version: text, not a number
+    bool is_respelled = false;  // written otherwise than in the source
 
     bool is_comment() const { return kind != PieceKind::token; }
     bool is_end() const { return kind == PieceKind::token && token == TokenKind::end; }

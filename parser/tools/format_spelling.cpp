@@ -56,6 +56,16 @@ void append_comment(std::string& text, std::string_view comment) {
     }
 }
 
+bool is_respelled(std::string_view number) {
+    if (number.front() == '.') return true;
+    for (std::size_t i = 1; i < number.size(); ++i) {
+        if (number[i] >= 'A' && number[i] <= 'Z') return true;
+        const bool has_fraction = i + 1 < number.size() && is_a(number[i + 1], kDigit);
+        if (number[i] == '.' && !has_fraction) return true;
+    }
+    return false;
+}
+
 std::uint32_t number_width(std::string_view number) {
     auto width = static_cast<std::uint32_t>(number.size());
     const std::size_t point = number.find('.');

@@ -16,6 +16,9 @@ void append_color(std::string& text, std::string_view color);
 /// Appends a comment with `\n` for each line end.
 void append_comment(std::string& text, std::string_view comment);
 
+/// True for a number that append_number() spells otherwise than it is written.
+bool is_respelled(std::string_view number);
+
 /// How many columns append_number() takes.
 std::uint32_t number_width(std::string_view number);
 

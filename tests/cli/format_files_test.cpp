@@ -81,7 +81,7 @@ TEST_F(FormatFiles, BrokenFilesAreLeftAloneAndTheOthersGoOn) {
     directory_.write("b.lrs", kUntidy);
     const auto result = run({"a.lrs", "missing.lrs", "b.lrs"});
     EXPECT_EQ(result.exit_code, 1);
-    EXPECT_NE(result.err.find("a.lrs:1:21: error[E0101]: expected `)` to close `(` at 1:18"),
+    EXPECT_NE(result.err.find("a.lrs:1:20: error[E0101]: expected `)` to close `(` at 1:18"),
               std::string::npos)
         << result.err;
     EXPECT_NE(result.err.find("error[E0601]: `missing.lrs` not found"), std::string::npos);

@@ -8,6 +8,7 @@
 
 #include "bvh/accel.h"
 #include "cli/console.h"
+#include "cli/format_files.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/run.h"
@@ -67,6 +68,8 @@ ExitCode run(std::span<const char* const> arguments) {
         case Mode::render:
         case Mode::check:
             return check_or_render(options);
+        case Mode::format:
+            return format_files(options);
         case Mode::explain:
             return explain(options.explained);
         case Mode::help:

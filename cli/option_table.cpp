@@ -181,6 +181,9 @@ constexpr std::array kPictureOptions{
 constexpr std::array kInsteadOptions{
     OptionSpec{"check", "", "look for mistakes in the scene, render nothing",
                set<&Options::mode, Mode::check>},
+    OptionSpec{"fmt", "",
+               "write scenes in the canonical style; with --check, list those that are not",
+               set<&Options::is_formatting, true>},
     OptionSpec{"explain", "CODE", "what a code like E0401 means, with an example", store_explained},
     OptionSpec{"help", "", "this text", set<&Options::mode, Mode::help>},
     OptionSpec{"h", "", "", set<&Options::mode, Mode::help>},

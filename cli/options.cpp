@@ -98,7 +98,8 @@ class ArgumentReader {
                 return failure;
             }
         }
-        return std::nullopt;
+        // Only now it is known whether there may be several.
+        return options.is_formatting ? std::nullopt : too_many_scenes_;
     }
 
  private:
@@ -107,7 +108,11 @@ class ArgumentReader {
 
     std::optional<Failure> take_scene(Options& options, std::string_view argument) {
         if (argument.empty()) return usage_error("the scene's file name is empty");
-        if (!options.scene_path.empty()) return two_scenes(options.scene_path, argument);
+        options.formatted_paths.emplace_back(argument);
+        if (!options.scene_path.empty()) {
+            if (!too_many_scenes_) too_many_scenes_ = two_scenes(options.scene_path, argument);
+            return std::nullopt;
+        }
         is_scene_plain_ = true;
         options.scene_path = argument;
         return std::nullopt;
@@ -136,7 +141,10 @@ class ArgumentReader {
         if (!wrong.empty()) return usage_error(fmt::format("`{}` {}", name, wrong));
         // The last -i counts, but a scene without its option is never given up for another.
         if (is_scene_plain_ && options.scene_path != scene_before) {
-            return two_scenes(scene_before, options.scene_path);
+            if (!too_many_scenes_) too_many_scenes_ = two_scenes(scene_before, options.scene_path);
+        }
+        if (options.scene_path != scene_before) {
+            options.formatted_paths.push_back(options.scene_path);
         }
         return std::nullopt;
     }
@@ -146,6 +154,7 @@ class ArgumentReader {
     std::vector<char*> arguments_;
     std::vector<option> table_;
     bool is_scene_plain_ = false;
+    std::optional<Failure> too_many_scenes_{};
     int count_ = 0;
 };
 
@@ -177,6 +186,16 @@ std::optional<Failure> check_output(const Options& options) {
     }
     return usage_error("the window is not available in this version; write a picture with `-o`",
                        fix);
+}
+
+std::optional<Failure> check_formatting(const Options& options) {
+    if (options.output_path.empty()) return std::nullopt;
+    if (options.only_lists_unformatted) {
+        return usage_error("`--fmt --check` writes nothing; leave `-o` out");
+    }
+    if (options.formatted_paths.size() == 1) return std::nullopt;
+    return usage_error(fmt::format("`-o` takes one scene, not {}", options.formatted_paths.size()),
+                       "without `-o` each is written in its place");
 }
 
 std::optional<Failure> choose_format(Options& options) {
@@ -215,8 +234,18 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
         case Mode::version:
             return options;
         case Mode::check:
+        case Mode::format:
         case Mode::render:
             break;
+    }
+    if (options.is_formatting) {
+        options.only_lists_unformatted = options.mode == Mode::check;
+        options.mode = Mode::format;
+        if (options.formatted_paths.empty()) {
+            return usage_error("no scene is given", "lray --fmt scene.lrs");
+        }
+        if (auto failure = check_formatting(options)) return *failure;
+        return options;
     }
     if (options.scene_path.empty()) return usage_error("no scene is given", kUsage);
     if (options.mode == Mode::check) return options;
@@ -230,7 +259,8 @@ std::string help_text() {
     std::string text = fmt::format(
         "lray {}: renders scenes written in the .lrs language\n\n"
         "usage: {}\n"
-        "       lray --check scene.lrs\n\n"
+        "       lray --check scene.lrs\n"
+        "       lray --fmt scene.lrs\n\n"
         "Options may have one or two dashes; the last one given counts.\n",
         LRAY_VERSION, kUsage);
     for (const OptionGroup& group : option_groups()) {

@@ -18,7 +18,7 @@
 
 namespace lray::cli {
 
-enum class Mode : std::uint8_t { render, check, explain, help, version };
+enum class Mode : std::uint8_t { render, check, format, explain, help, version };
 enum class ColorMode : std::uint8_t { automatic, always, never };
 
 struct Options {
@@ -26,6 +26,10 @@ struct Options {
     std::string scene_path{};   // "-" is stdin
     std::string output_path{};  // "-" is stdout
     std::string explained{};    // the code that --explain asks for
+
+    bool is_formatting = false;                  // --fmt, whatever else is asked for
+    bool only_lists_unformatted = false;         // --fmt --check
+    std::vector<std::string> formatted_paths{};  // of --fmt, in order
 
     std::optional<std::uint32_t> level{};
     std::optional<std::uint32_t> samples{};

@@ -129,6 +129,20 @@ TEST(DiagnosticsDocument, MessagesAreAsShown) {
     }
 }
 
+TEST(Documents, ScenesAreFormatted) {
+    std::size_t count = 0;
+    for (const std::string document : {"README.md", "grammar.md"}) {
+        for (const Fence& fence : fences_of(test::read_bytes(kTop + "/" + document))) {
+            if (fence.info != "lrs") continue;  // some show that other layouts are read, too
+            ++count;
+            const auto formatted = test::run_process({LRAY_BINARY, "--fmt", "-"}, fence.text);
+            EXPECT_EQ(formatted.exit_code, 0) << formatted.err;
+            EXPECT_EQ(formatted.out, fence.text) << document;
+        }
+    }
+    EXPECT_GT(count, 20u);
+}
+
 /// Files that a document links to, without those of the web.
 std::vector<std::string> links_of(const std::string& document) {
     std::vector<std::string> links;

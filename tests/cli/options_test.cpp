@@ -221,6 +221,21 @@ TEST(Options, LevelOneWithoutOutputShowsTheFix) {
     EXPECT_EQ(failed({"-n", "1", "-"}).help, "lray -n 1 -i - -o image.ppm");
 }
 
+TEST(Options, FormattingTakesSeveralScenes) {
+    const Options options = parsed({"a.lrs", "--fmt", "-i", "b.lrs", "-", "--", "-c.lrs"});
+    EXPECT_EQ(options.mode, Mode::format);
+    EXPECT_FALSE(options.only_lists_unformatted);
+    EXPECT_EQ(options.formatted_paths, (std::vector<std::string>{"a.lrs", "b.lrs", "-", "-c.lrs"}));
+    EXPECT_TRUE(parsed({"--fmt", "--check", "a.lrs"}).only_lists_unformatted);
+    EXPECT_TRUE(parsed({"--check", "a.lrs", "--fmt"}).only_lists_unformatted);
+    EXPECT_EQ(parsed({"--fmt", "a.lrs", "--help"}).mode, Mode::help);
+    EXPECT_EQ(failed({"--fmt"}).message, "no scene is given");
+    EXPECT_EQ(failed({"--fmt", "a.lrs", "b.lrs", "-o", "c.lrs"}).message,
+              "`-o` takes one scene, not 2");
+    EXPECT_EQ(failed({"--fmt", "--check", "a.lrs", "-o", "c.lrs"}).message,
+              "`--fmt --check` writes nothing; leave `-o` out");
+}
+
 TEST(Options, NoSceneOrTwoScenes) {
     EXPECT_EQ(failed({}).message, "no scene is given");
     EXPECT_EQ(failed({}).help, "lray -n 1 -i scene.lrs -o image.ppm");

@@ -17,25 +17,27 @@ enum class PropertyType : std::uint8_t {
     integer,
     boolean,
     string,
-    option,        // one of a list of strings
-    point,         // three numbers; a colour is not a point
-    direction,     // three numbers, not all 0
-    vec2,          // two numbers
-    size2,         // two numbers greater than 0
-    size3,         // three numbers greater than 0
-    color,         // colour, number or three numbers
-    angle,         // degrees
-    scale,         // number or three numbers, none 0
-    rotation,      // three angles or a transform
-    matrix,        // three or four rows of four numbers
-    transform,     // a transform or a list of them
-    material,      // a material
-    roughness,     // number or two numbers, 0 to 1
-    resolution,    // two whole numbers
-    file,          // a string that names a file
-    points,        // rows of three numbers
-    uvs,           // rows of two numbers
-    index_triples  // rows of three whole numbers
+    option,         // one of a list of strings
+    point,          // three numbers; a colour is not a point
+    direction,      // three numbers, not all 0
+    vec2,           // two numbers
+    size2,          // two numbers greater than 0
+    size3,          // three numbers greater than 0
+    color,          // colour, number or three numbers
+    angle,          // degrees
+    scale,          // number or three numbers, none 0
+    rotation,       // three angles or a transform
+    matrix,         // three or four rows of four numbers
+    transform,      // a transform or a list of them
+    material,       // a material
+    roughness,      // number or two numbers, 0 to 1
+    resolution,     // two whole numbers
+    file,           // a string that names a file
+    points,         // rows of three numbers
+    uvs,            // rows of two numbers
+    index_triples,  // rows of three whole numbers
+    function,       // a function
+    height_rows     // two or more rows of numbers, all of one width
 };
 
 /// Bounds of a number, or of each number of a vector.
@@ -55,8 +57,10 @@ inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()
 inline constexpr Range kUnit{0.0, 1.0, false};
 
 /// How a block is written: `rectangle` by its centre and size, or by a corner and two edges. A
-/// property of one form excludes those of the others.
-enum class Form : std::uint8_t { any, first, second };
+/// property of one form excludes those of the others. Without any of them a block has its first
+/// form.
+enum class Form : std::uint8_t { any, first, second, third };
+inline constexpr std::size_t kFormCount = 4;
 
 struct PropertySchema {
     std::string_view name{};
@@ -70,6 +74,12 @@ struct PropertySchema {
     std::span<const std::string_view> options{};
 };
 
+/// True for a property that a block of a form (any: of none yet, so of its first) must have.
+constexpr bool is_needed(const PropertySchema& property, Form form) {
+    const Form meant = form == Form::any ? Form::first : form;
+    return property.is_required && (property.form == Form::any || property.form == meant);
+}
+
 enum class BlockKind : std::uint8_t {
     group,
     sphere,
@@ -80,12 +90,14 @@ enum class BlockKind : std::uint8_t {
     box,
     plane,
     mesh,
+    heightfield,
+    terrain,
     material,
     camera,
     render,
     info,
 };
-inline constexpr std::size_t kBlockKindCount = 13;
+inline constexpr std::size_t kBlockKindCount = 15;
 
 /// The most properties a block has: the size of the evaluator's slot array.
 inline constexpr std::size_t kMaxProperties = 20;

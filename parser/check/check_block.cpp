@@ -211,14 +211,19 @@ void BlockCheck::child(const BlockItem& item) {
 // Returns true if two forms are mixed.
 bool BlockCheck::forms() {
     const std::span<const PropertySchema> properties = schema_.properties;
-    std::size_t first = properties.size();
-    std::size_t second = properties.size();
+    std::array<std::size_t, kFormCount> slot_of{};  // the first one set, of each form
+    slot_of.fill(properties.size());
     for (std::size_t slot = properties.size(); slot-- > 0;) {
-        if (set_[slot].is_nowhere()) continue;
-        if (properties[slot].form == Form::first) first = slot;
-        if (properties[slot].form == Form::second) second = slot;
+        if (!set_[slot].is_nowhere())
+            slot_of[static_cast<std::size_t>(properties[slot].form)] = slot;
     }
-    if (first == properties.size() || second == properties.size()) return false;
+    std::vector<std::size_t> mixed;  // in the order of forms
+    for (std::size_t form = 1; form < kFormCount; ++form) {
+        if (slot_of[form] < properties.size()) mixed.push_back(slot_of[form]);
+    }
+    if (mixed.size() < 2) return false;
+    const std::size_t first = mixed[0];
+    const std::size_t second = mixed[1];
     const bool first_is_later = set_[first].offset > set_[second].offset;
     const Span later = set_[first_is_later ? first : second];
     const Span earlier = set_[first_is_later ? second : first];
@@ -230,23 +235,18 @@ bool BlockCheck::forms() {
 }
 
 void BlockCheck::required() {
-    bool has_second = false;
-    bool has_first_required = false;
     const std::span<const PropertySchema> properties = schema_.properties;
+    Form form = Form::any;
     for (std::size_t slot = 0; slot < properties.size(); ++slot) {
-        const bool is_set = !set_[slot].is_nowhere();
-        has_second = has_second || (is_set && properties[slot].form == Form::second);
-        has_first_required = has_first_required ||
-                             (properties[slot].form == Form::first && properties[slot].is_required);
+        if (!set_[slot].is_nowhere() && properties[slot].form != Form::any) {
+            form = properties[slot].form;
+        }
     }
     std::vector<std::string_view> missing;
     for (std::size_t slot = 0; slot < properties.size(); ++slot) {
-        const PropertySchema& property = properties[slot];
-        const bool is_needed =
-            property.is_required && set_[slot].is_nowhere() &&
-            (property.form == Form::any || (property.form == Form::second && has_second) ||
-             (property.form == Form::first && !has_second));
-        if (is_needed) missing.push_back(property.name);
+        if (set_[slot].is_nowhere() && is_needed(properties[slot], form)) {
+            missing.push_back(properties[slot].name);
+        }
     }
     if (missing.empty()) return;
     std::string names;
@@ -254,10 +254,18 @@ void BlockCheck::required() {
         const std::string_view joint = i == 0 ? "" : i + 1 == missing.size() ? " and " : ", ";
         names += fmt::format("{}`{}`", joint, missing[i]);
     }
-    if (schema_.kind == BlockKind::mesh && !has_second) {
+    if (schema_.kind == BlockKind::mesh && form != Form::second) {
         names = "`file`, or `positions` and `triangles`";
     }
-    error(Code::E0406, block_.head->span, fmt::format("{} needs {}", schema_.name, names));
+    if (schema_.kind == BlockKind::heightfield && form == Form::any) {
+        names = "`height`, `heights` or `image`";
+    }
+    Diagnostic& diagnostic =
+        error(Code::E0406, block_.head->span, fmt::format("{} needs {}", schema_.name, names));
+    if (schema_.kind == BlockKind::terrain) {
+        diagnostic.with_help(
+            "any number will do, like `seed: 1`; another one is another landscape");
+    }
 }
 
 std::string_view BlockCheck::model() const {

@@ -299,6 +299,10 @@ constexpr CodeInfo kInfos[] = {
  "The elements of a list are counted from 0, so the last of three is number 2.",
  "let xs = [10, 20, 30]\nlet x = xs[3]",
  "let xs = [10, 20, 30]\nlet x = xs[2]"},
+{LRAY_CODE(E0505), "list without elements",
+ "Something is to be chosen from a list that has nothing in it.",
+ "let x = pick([], 42)",
+ "let x = pick([1, 2, 3], 42)"},
 {LRAY_CODE(E0506), "no `return`",
  "A function with a body gives what follows `return`. Here its end was reached without one: often "
  "an `else` is missing.",
@@ -374,6 +378,11 @@ constexpr CodeInfo kInfos[] = {
  "they count from 1, in `triangles:` from 0.",
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[1, 2, 3]]\n}",
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[0, 1, 2]]\n}"},
+{LRAY_CODE(E0703), "picture not understood",
+ "The file is not a PNG or a binary PPM, it is damaged, or the picture is too large or too small for "
+ "what it is to be.",
+ "heightfield { image: \"notes.png\" }  // a text file",
+ "heightfield { image: \"hills.png\", scale_y: 0.2 }"},
 {LRAY_CODE(E0704), "mesh without faces",
  "There is nothing to see: the mesh, or the part of it that was asked for, has no faces.",
  "v 0 0 0\nv 1 0 0\nv 0 1 0",

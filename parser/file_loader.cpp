@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "base/did_you_mean.h"
+#include "image/read.h"
 #include "scene/obj_reader.h"
 
 namespace lray::parser {
@@ -153,6 +155,20 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
     mesh_id = scene::MeshId(scene.meshes.size());
     scene.meshes.push_back(std::move(*mesh));
     return mesh_id;
+}
+
+std::optional<image::Image> FileLoader::picture(std::string_view path, SourceId from, Span span) {
+    const std::optional<SourceId> file = read({path, span, Span{}, mesh_limit_}, from);
+    if (!file) return std::nullopt;
+    std::string mistake;
+    const std::string_view bytes = sources_[*file].text.view();
+    std::optional<image::Image> picture =
+        image::read_image(std::as_bytes(std::span(bytes)), {}, mistake);
+    if (!picture) {
+        diagnostics_.error(Code::E0703, span, fmt::format("`{}`: {}", path, mistake));
+    }
+    sources_.release_text(*file);  // its bytes are never shown
+    return picture;
 }
 
 }  // namespace lray::parser

@@ -1,5 +1,5 @@
-// Brings the files that a scene names into the load: text of includes, meshes. Each mesh is read
-// once per run.
+// Brings the files that a scene names into the load: text of includes, meshes, pictures. Each mesh
+// is read once per run.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "base/diagnostics.h"
 #include "base/file_access.h"
 #include "base/source.h"
+#include "image/image.h"
 #include "parser/load.h"
 #include "scene/scene.h"
 
@@ -35,6 +36,11 @@ class FileLoader {
     /// Errors: empty, reported at `span` or in the mesh file; the same file again is silent.
     std::optional<scene::MeshId> mesh(std::string_view path, SourceId from, Span span,
                                       scene::Scene& scene);
+
+    /// Decodes a PNG or PPM file of heights named at `span` in the source `from`. It counts as a
+    /// mesh file.
+    /// Errors: empty, reported at `span`: E0601 and its like, E0703 not a picture, or too large.
+    std::optional<image::Image> picture(std::string_view path, SourceId from, Span span);
 
  private:
     /// Of all files of a kind together: a small one may be named ten thousand times.

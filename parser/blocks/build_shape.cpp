@@ -226,6 +226,8 @@ std::optional<ShapeRef> build_shape(const BlockSchema& schema, const PropertyVal
         }
         case BlockKind::group:
         case BlockKind::mesh:
+        case BlockKind::heightfield:
+        case BlockKind::terrain:
         case BlockKind::material:
         case BlockKind::camera:
         case BlockKind::render:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "parser/values/operators.h"
 
 namespace lray::parser {
 
@@ -75,6 +76,7 @@ class Fitting {
     Value matrix();
     Value transform();
     Value rows(std::uint8_t width, std::string_view wanted, bool is_whole_wanted);
+    Value height_rows();
     Value ranged(const Value& value);
 
     const PropertySchema& property_;
@@ -227,6 +229,24 @@ Value Fitting::rows(std::uint8_t width, std::string_view wanted, bool is_whole_w
     return value_;
 }
 
+Value Fitting::height_rows() {
+    constexpr std::string_view kWanted = "rows of numbers, like [[0, 1], [0, 2]]";
+    if (!value_.is_list() || value_.is(ValueKind::numbers)) return wrong_type(kWanted);
+    for (std::uint32_t i = 0; i < value_.count; ++i) {
+        const Value row = element(value_, i);
+        if (!row.is(ValueKind::numbers)) {
+            return error(Code::E0301, fmt::format("`{}` needs {}; row {} is {}", property_.name,
+                                                  kWanted, i, describe(row)));
+        }
+        if (row.count == element(value_, 0).count) continue;
+        return error(Code::E0303, fmt::format("row {} of `{}` has {} numbers, row 0 has {}", i,
+                                              property_.name, row.count, element(value_, 0).count));
+    }
+    if (value_.count >= 2 && element(value_, 0).count >= 2) return value_;
+    return error(Code::E0303,
+                 fmt::format("`{}` needs 2 rows of 2 numbers or more", property_.name));
+}
+
 Value Fitting::fit() {
     switch (property_.type) {
         case PropertyType::number:
@@ -285,6 +305,10 @@ Value Fitting::fit() {
             return rows(3, "a list of triples, like [[0, 1, 2]]", true);
         case PropertyType::any:
             return value_;
+        case PropertyType::function:
+            return value_.is(ValueKind::function) ? value_ : wrong_type("a function");
+        case PropertyType::height_rows:
+            return height_rows();
     }
     LRAY_ASSERT(false);
 }
@@ -301,21 +325,15 @@ bool is_in_range(const PropertySchema& property, const Value& value) {
 }
 
 bool is_complete(std::span<const PropertySchema> properties, const PropertyValues& values) {
-    bool has_first = false;
-    bool has_second = false;
+    Form form = Form::any;
     for (std::size_t slot = 0; slot < properties.size(); ++slot) {
-        if (!values.has(slot)) continue;
-        has_first = has_first || properties[slot].form == Form::first;
-        has_second = has_second || properties[slot].form == Form::second;
+        const Form of_slot = properties[slot].form;
+        if (!values.has(slot) || of_slot == Form::any) continue;
+        if (form != Form::any && form != of_slot) return false;
+        form = of_slot;
     }
-    if (has_first && has_second) return false;
     for (std::size_t slot = 0; slot < properties.size(); ++slot) {
-        const PropertySchema& property = properties[slot];
-        const bool is_needed =
-            property.is_required &&
-            (property.form == Form::any || (property.form == Form::second && has_second) ||
-             (property.form == Form::first && !has_second));
-        if (is_needed && !values.has(slot)) return false;
+        if (is_needed(properties[slot], form) && !values.has(slot)) return false;
     }
     return true;
 }

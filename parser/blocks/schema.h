@@ -36,7 +36,9 @@ enum class PropertyType : std::uint8_t {
     points,         // rows of three numbers
     uvs,            // rows of two numbers
     index_triples,  // rows of three whole numbers
-    any             // parameters of components
+    any,            // parameters of components
+    function,       // a function
+    height_rows     // two or more rows of numbers, all of one width
 };
 
 /// Bounds of a number, or of each number of a vector.
@@ -56,8 +58,10 @@ inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::infinity()
 inline constexpr Range kUnit{0.0, 1.0, false};
 
 /// How a block is written: `rectangle` by its centre and size, or by a corner and two edges. A
-/// property of one form excludes those of the others.
-enum class Form : std::uint8_t { any, first, second };
+/// property of one form excludes those of the others. Without any of them a block has its first
+/// form.
+enum class Form : std::uint8_t { any, first, second, third };
+inline constexpr std::size_t kFormCount = 4;
 
 struct PropertySchema {
     std::string_view name{};
@@ -71,6 +75,12 @@ struct PropertySchema {
     std::span<const std::string_view> options{};
 };
 
+/// True for a property that a block of a form (any: of none yet, so of its first) must have.
+constexpr bool is_needed(const PropertySchema& property, Form form) {
+    const Form meant = form == Form::any ? Form::first : form;
+    return property.is_required && (property.form == Form::any || property.form == meant);
+}
+
 enum class BlockKind : std::uint8_t {
     group,
     sphere,
@@ -82,6 +92,8 @@ enum class BlockKind : std::uint8_t {
     plane,
     torus,
     mesh,
+    heightfield,
+    terrain,
     material,
     camera,
     render,

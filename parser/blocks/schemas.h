@@ -13,6 +13,12 @@ inline constexpr std::array<std::string_view, 5> kModels = {"lambert", "phong", 
                                                             "cook_torrance", "ward"};
 inline constexpr std::array<std::string_view, 2> kProjections = {"perspective", "orthographic"};
 inline constexpr std::array<std::string_view, 2> kUpAxes = {"y", "z"};
+// In the order of scene::TerrainMethod.
+inline constexpr std::array<std::string_view, 3> kTerrainMethods = {"diamond_square", "fbm",
+                                                                    "ridged"};
+
+/// Of a side of a height mesh: scene::kMaxHeightVertices is the square of the most.
+inline constexpr Range kResolution{2.0, 32768.0};
 
 // clang-format off
 inline constexpr std::array<PropertySchema, kCommonPropertyCount> kCommon = {{
@@ -94,6 +100,24 @@ inline constexpr std::array<PropertySchema, 7> kMesh = {{
     {"uvs", uvs, "", "texture coordinates for each vertex", kAnyNumber, {}, false, Form::second},
 }};
 
+inline constexpr std::array<PropertySchema, 6> kHeightfield = {{
+    {"size", size2, "[1, 1]", "width along X and depth along Z, about the origin", kPositive, {1, 1}},
+    {"resolution", integer, "128", "heights along each side", kResolution, {128}, false, Form::first},
+    {"height", function, "", "`fn(x, z)`: the height at a point, x and z from -size/2 to size/2", kAnyNumber, {}, true, Form::first},
+    {"heights", height_rows, "", "the heights: a row along X for each Z, the farthest (-Z) first", kAnyNumber, {}, true, Form::second},
+    {"image", file, "", "a PNG or PPM file: a height for each pixel, black 0 and white `scale_y`, its top at -Z", kAnyNumber, {}, true, Form::third},
+    {"scale_y", number, "1", "the height of white in the picture", kAnyNumber, {1}, false, Form::third},
+}};
+
+inline constexpr std::array<PropertySchema, 6> kTerrain = {{
+    {"size", size2, "[100, 100]", "width along X and depth along Z, about the origin", kPositive, {100, 100}},
+    {"height", number, "10", "how far its farthest point is above or below 0", kNotNegative, {10}},
+    {"resolution", integer, "257", "heights along each side; `diamond_square` suits 2^k + 1", kResolution, {257}},
+    {"method", option, "\"diamond_square\"", "how it is made", kAnyNumber, {}, false, Form::any, kTerrainMethods},
+    {"roughness", number, "0.5", "how much of its height each finer detail keeps, half the size", kUnit, {0.5}},
+    {"seed", number, "", "which landscape: another number, another one", kAnyNumber, {}, true},
+}};
+
 inline constexpr std::array<PropertySchema, 14> kMaterial = {{
     {"model", option, "\"blinn_phong\"", "the reflection model", kAnyNumber, {}, false, Form::any, kModels},
     {"ambient", color, "", "reflected ambient light; without it as `diffuse`", kNotNegative},
@@ -138,6 +162,8 @@ inline constexpr std::array<BlockSchema, kBlockKindCount> kBlocks = {{
     {BlockKind::plane, "plane", "an infinite plane", kPlane, true},
     {BlockKind::torus, "torus", "a ring with a round section, around the Y axis", kTorus, true},
     {BlockKind::mesh, "mesh", "triangles from a file or from lists", kMesh, true},
+    {BlockKind::heightfield, "heightfield", "hills: a height for each point of a grid", kHeightfield, true},
+    {BlockKind::terrain, "terrain", "a landscape made up from a seed", kTerrain, true},
     {BlockKind::material, "material", "a surface", kMaterial},
     {BlockKind::camera, "camera", "a view; the first one is the default", kCamera},
     {BlockKind::render, "render", "settings of the picture", kRender},

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "base/angle.h"
 #include "base/assert.h"
 #include "base/transform.h"
 #include "image/srgb.h"
+#include "parser/builtins/random_families.h"
 #include "parser/values/transform_values.h"
 
 namespace lray::parser {
@@ -445,6 +447,8 @@ bool fits(ParameterType type, const Value& value) {
             return value.is(ValueKind::node);
         case position:
             return value.is(ValueKind::number) || value.is_vector(2) || value.is_vector(3);
+        case key:
+            return value.is(ValueKind::number) || value.is(ValueKind::string);
     }
     LRAY_ASSERT(false);
 }
@@ -483,6 +487,8 @@ std::string_view in_words(ParameterType type) {
             return "a node, like a group or a sphere";
         case position:
             return "a number or a vector of 2 or 3";
+        case key:
+            return "a number or a string";
     }
     LRAY_ASSERT(false);
 }
@@ -502,12 +508,19 @@ std::size_t Builtin::required_count() const {
 }
 
 std::span<const Builtin> builtins() {
-    return kBuiltins;
+    static const std::vector<Builtin> all = [] {
+        std::vector<Builtin> list(kBuiltins.begin(), kBuiltins.end());
+        for (const auto& family : {noise_builtins(), random_builtins()}) {
+            list.insert(list.end(), family.begin(), family.end());
+        }
+        return list;
+    }();
+    return all;
 }
 
 std::optional<std::uint32_t> find_builtin(std::string_view name) {
-    for (std::size_t i = 0; i < kBuiltins.size(); ++i) {
-        if (kBuiltins[i].name == name) return static_cast<std::uint32_t>(i);
+    for (std::size_t i = 0; i < builtins().size(); ++i) {
+        if (builtins()[i].name == name) return static_cast<std::uint32_t>(i);
     }
     return std::nullopt;
 }
@@ -524,6 +537,15 @@ Value call_builtin(const Builtin& builtin, Call& call) {
             is_vector ? Code::E0303 : Code::E0301, call.spans[i],
             fmt::format("`{}` of `{}` needs {}, this is {}", parameter.name, builtin.name,
                         in_words(parameter.type), describe(argument)));
+        return Value::poison();
+    }
+    for (std::size_t i = 0; i < call.rest.size(); ++i) {
+        const Value& argument = call.rest[i];
+        if (argument.is(ValueKind::poison)) return argument;
+        if (fits(builtin.rest_type, argument)) continue;
+        call.diagnostics.error(Code::E0301, call.rest_spans[i],
+                               fmt::format("`{}` needs {}, this is {}", builtin.name,
+                                           in_words(builtin.rest_type), describe(argument)));
         return Value::poison();
     }
     call.name = builtin.name;

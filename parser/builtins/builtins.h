@@ -32,6 +32,7 @@ enum class ParameterType : std::uint8_t {
     function,
     node,
     position,  // a number, or a vector of 2 or 3
+    key,       // a number or a string, of random numbers
 };
 
 struct Parameter {

@@ -8,66 +8,12 @@
 
 #include "base/did_you_mean.h"
 #include "parser/blocks/schemas.h"
+#include "parser/check/check_complete.h"
 #include "parser/syntax/lexer.h"
 
 namespace lray::parser {
 
 namespace {
-
-// Returns true if two forms are mixed.
-bool mixes_forms(const BlockSchema& schema, std::span<const Span> set, Diagnostics& diagnostics) {
-    const std::span<const PropertySchema> properties = schema.properties;
-    std::size_t first = properties.size();
-    std::size_t second = properties.size();
-    for (std::size_t slot = properties.size(); slot-- > 0;) {
-        if (set[slot].is_nowhere()) continue;
-        if (properties[slot].form == Form::first) first = slot;
-        if (properties[slot].form == Form::second) second = slot;
-    }
-    if (first == properties.size() || second == properties.size()) return false;
-    const bool first_is_later = set[first].offset > set[second].offset;
-    const Span later = set[first_is_later ? first : second];
-    const Span earlier = set[first_is_later ? second : first];
-    diagnostics
-        .error(Code::E0411, later,
-               fmt::format("give `{}` or `{}`, not both", properties[first].name,
-                           properties[second].name))
-        .with_label(earlier, "the other one");
-    return true;
-}
-
-bool lacks_required(const BlockSchema& schema, std::span<const Span> set, Span head,
-                    Diagnostics& diagnostics) {
-    bool has_second = false;
-    bool has_first_required = false;
-    const std::span<const PropertySchema> properties = schema.properties;
-    for (std::size_t slot = 0; slot < properties.size(); ++slot) {
-        const bool is_set = !set[slot].is_nowhere();
-        has_second = has_second || (is_set && properties[slot].form == Form::second);
-        has_first_required = has_first_required ||
-                             (properties[slot].form == Form::first && properties[slot].is_required);
-    }
-    std::vector<std::string_view> missing;
-    for (std::size_t slot = 0; slot < properties.size(); ++slot) {
-        const PropertySchema& property = properties[slot];
-        const bool is_needed =
-            property.is_required && set[slot].is_nowhere() &&
-            (property.form == Form::any || (property.form == Form::second && has_second) ||
-             (property.form == Form::first && !has_second));
-        if (is_needed) missing.push_back(property.name);
-    }
-    if (missing.empty()) return false;
-    std::string names;
-    for (std::size_t i = 0; i < missing.size(); ++i) {
-        const std::string_view joint = i == 0 ? "" : i + 1 == missing.size() ? " and " : ", ";
-        names += fmt::format("{}`{}`", joint, missing[i]);
-    }
-    if (schema.kind == BlockKind::mesh && !has_second) {
-        names = "`file`, or `positions` and `triangles`";
-    }
-    diagnostics.error(Code::E0406, head, fmt::format("{} needs {}", schema.name, names));
-    return true;
-}
 
 class BlockCheck {
  public:
@@ -321,13 +267,6 @@ PropertyPlace find_place(const BlockSchema& schema, std::string_view name) {
     slot = find_property(common, name);
     if (slot == common.size()) return {};
     return {&common[slot], slot, true};
-}
-
-bool check_complete(const BlockSchema& schema, std::span<const Span> set, Span head, bool is_new,
-                    Diagnostics& diagnostics) {
-    // Of two forms mixed, what else is missing depends on which one is meant.
-    if (mixes_forms(schema, set, diagnostics)) return false;
-    return !is_new || !lacks_required(schema, set, head, diagnostics);
 }
 
 bool check_block(const BlockSchema& schema, const BlockExpr& block, BlockUse use,

@@ -29,12 +29,6 @@ struct PropertyPlace {
 
 PropertyPlace find_place(const BlockSchema& schema, std::string_view name);
 
-/// Reports properties of two forms together (E0411) and, in a block that is new, those that are
-/// missing (E0406); returns false if there were any.
-/// Shape: `set` says where each property of the schema was set, nowhere if it was not.
-bool check_complete(const BlockSchema& schema, std::span<const Span> set, Span head, bool is_new,
-                    Diagnostics& diagnostics);
-
 /// Reports what is wrong with the body of a block; returns false if anything was.
 /// Errors: E0401, E0402, E0406, E0411, E0412; warns W1401.
 bool check_block(const BlockSchema& schema, const BlockExpr& block, BlockUse use,

@@ -4,10 +4,12 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "parser/blocks/build_heightfield.h"
 #include "parser/blocks/build_material.h"
 #include "parser/blocks/build_mesh.h"
 #include "parser/blocks/build_view.h"
 #include "parser/check/check_block.h"
+#include "parser/check/check_complete.h"
 #include "parser/evaluate/evaluator_state.h"
 
 namespace lray::parser {
@@ -279,6 +281,17 @@ std::optional<ShapeRef> Evaluator::shape_of(const OpenBlock& open) {
             const std::size_t count = parts_named(mesh, mesh.parts[use->part].name).size();
             if (!take_steps(budget_, count, open.span, diagnostics_)) return std::nullopt;
         }
+        scene_.mesh_uses.push_back(*use);
+        return ShapeRef{scene::NodeKind::mesh,
+                        static_cast<std::uint32_t>(scene_.mesh_uses.size() - 1)};
+    }
+    if (open.schema.kind == BlockKind::heightfield || open.schema.kind == BlockKind::terrain) {
+        const HeightProperties properties{open.values, open.value_spans, open.span};
+        const HeightBuild build{files_, budget_, *this, scene_, diagnostics_};
+        const std::optional<scene::MeshUse> use = open.schema.kind == BlockKind::terrain
+                                                      ? build_terrain(properties, build)
+                                                      : build_heightfield(properties, build);
+        if (!use) return std::nullopt;
         scene_.mesh_uses.push_back(*use);
         return ShapeRef{scene::NodeKind::mesh,
                         static_cast<std::uint32_t>(scene_.mesh_uses.size() - 1)};

@@ -122,6 +122,9 @@ TEST(Builtins, EveryFunctionIsTested) {
     for (const NumberCase& test : kNumbers) all += std::string(" ") + test.expression;
     for (const VectorCase& test : kVectors) all += std::string(" ") + test.expression;
     all += " srgb( hsv( hsl(";  // below
+    // In random_builtins_test.cpp:
+    all += " noise( fbm( ridged( worley( rand( rand_range( rand_int( rand_on_sphere( rand_in_disk(";
+    all += " gauss( shuffle( pick(";
     for (const parser::Builtin& builtin : parser::builtins()) {
         const std::string call = std::string(builtin.name) + "(";
         const std::size_t at = all.find(call);

@@ -53,6 +53,10 @@ Setting setting_of(Code code) {
     } else if (code == Code::E0602) {
         setting.name = "a.lrs";
         with_files({{"b.lrs", kBall}});
+    } else if (code == Code::E0703) {
+        setting.wrong_files = {{"notes.png", "the hills behind the house"}};
+        setting.right_files = {
+            {"hills.png", std::string_view("P6 2 2 255\n\0\0\0___\xff\xff\xff___", 23)}};
     } else if (code == Code::E0705) {
         with_files({{"chair.blend", "BLENDER"}, {"chair.obj", kObj}});
     } else if (code == Code::W1603) {

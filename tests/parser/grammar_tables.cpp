@@ -71,6 +71,10 @@ std::string in_words(const PropertySchema& property) {
             return "any value";
         case PropertyType::index_triples:
             return "rows of 3 whole numbers";
+        case PropertyType::function:
+            return "function";
+        case PropertyType::height_rows:
+            return "rows of numbers";
     }
     LRAY_ASSERT(false);
 }
@@ -108,7 +112,11 @@ std::string property_table(std::span<const PropertySchema> properties) {
     }
     const std::string first = names_of(properties, Form::first);
     const std::string second = names_of(properties, Form::second);
-    if (!first.empty()) {
+    const std::string third = names_of(properties, Form::third);
+    if (!third.empty()) {
+        text += fmt::format("\nIt is written in one of three forms: {}; {}; or {}.\n", first,
+                            second, third);
+    } else if (!first.empty()) {
         text += fmt::format("\nIt is written in one of two forms: {}; or {}.\n", first, second);
     }
     return text;
@@ -148,6 +156,8 @@ std::string in_words(ParameterType type) {
             return "node";
         case ParameterType::position:
             return "number or 2 or 3 numbers";
+        case ParameterType::key:
+            return "number or string";
     }
     LRAY_ASSERT(false);
 }
@@ -169,6 +179,7 @@ std::string arguments_of(const Builtin& builtin) {
                             parameter.is_optional ? ", optional" : "");
         if (i + 1 < builtin.parameter_count()) text += "; ";
     }
+    if (builtin.is_variadic) text += "; any more";
     return text;
 }
 

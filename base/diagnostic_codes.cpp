@@ -223,6 +223,11 @@ constexpr CodeInfo kInfos[] = {
  "view.",
  "camera { position: [0, 0, 5], look_at: [0, 0, 5] }",
  "camera { position: [0, 0, 5], look_at: [0, 0, 0] }"},
+{LRAY_CODE(E0312), "malformed format text",
+ "In the text of format() a value stands for `{}`, and a number with two decimals for `{:.2}`, up to "
+ "17 of them. A brace that is meant as such is written twice.",
+ "info { title: format(\"{x}\") }",
+ "info { title: format(\"{{x}}\") }"},
 
 {LRAY_CODE(E0401), "unknown property",
  "This kind of thing has no property of this name.",
@@ -280,6 +285,18 @@ constexpr CodeInfo kInfos[] = {
  "The elements of a list are counted from 0, so the last of three is number 2.",
  "let xs = [10, 20, 30]\nlet x = xs[3]",
  "let xs = [10, 20, 30]\nlet x = xs[2]"},
+{LRAY_CODE(E0505), "nothing in it",
+ "A list without elements has no least one, and a group with nothing in it has no bounds.",
+ "let least = min([])",
+ "let least = min([3, 1, 2])"},
+{LRAY_CODE(E0507), "assertion",
+ "The scene states that a condition holds, by assert(), and it does not.",
+ "let steps = 2\nlet is_right = assert(steps >= 3, \"a stair needs at least 3 steps\")",
+ "let steps = 3\nlet is_right = assert(steps >= 3, \"a stair needs at least 3 steps\")"},
+{LRAY_CODE(E0508), "error of the scene",
+ "The scene itself says that something is wrong, by error().",
+ "let width = -2\nlet radius = if width > 0 then width / 2 else error(\"the width must be positive\")",
+ "let width = 2\nlet radius = if width > 0 then width / 2 else error(\"the width must be positive\")"},
 {LRAY_CODE(E0512), "too many steps",
  "Evaluating the scene takes more steps than the limit allows, so that no scene can keep a machine "
  "busy for ever; raise it with --max-steps.",
@@ -290,6 +307,11 @@ constexpr CodeInfo kInfos[] = {
  "the memory; raise it with --max-primitives.",
  "// more than 50 000 000 of these:\nsphere { }",
  "mesh { file: \"cloud.obj\" }  // one mesh, used several times, is stored once"},
+{LRAY_CODE(E0514), "list too large or too deep",
+ "A list may have 100 000 000 elements; raise the limit with --max-list-size. Lists in lists in "
+ "lists may go 200 deep.",
+ "let numbers = range(1e12)",
+ "let numbers = range(1000)"},
 {LRAY_CODE(E0515), "includes nested too deeply or too many",
  "Files may include others 64 deep, and 10 000 in all; raise the limits with --max-include-depth "
  "and --max-files.",
@@ -346,6 +368,10 @@ constexpr CodeInfo kInfos[] = {
  "Inside these braces the name means the new value; the outer one cannot be reached.",
  "let r = 1\ngroup {\n  let r = 2\n  sphere { radius: r }\n}",
  "let r = 1\ngroup {\n  let inner_r = 2\n  sphere { radius: inner_r }\n}"},
+{LRAY_CODE(W1106), "warning of the scene",
+ "The scene itself warns of something, by warn().",
+ "let trees = 5000\nlet is_fast = trees < 1000 or warn(\"so many trees take minutes\")",
+ "let trees = 500\nlet is_fast = trees < 1000 or warn(\"so many trees take minutes\")"},
 
 {LRAY_CODE(W1201), "no area",
  "The corners lie on a line, so no ray can hit the shape. It is left out.",
@@ -447,8 +473,8 @@ std::optional<Code> find_code(std::string_view id) {
 }
 
 bool is_limit(Code code) {
-    constexpr std::array kLimits = {Code::E0115, Code::E0512, Code::E0513, Code::E0515,
-                                    Code::E0516};
+    constexpr std::array kLimits = {Code::E0115, Code::E0512, Code::E0513,
+                                    Code::E0514, Code::E0515, Code::E0516};
     return std::find(kLimits.begin(), kLimits.end(), code) != kLimits.end();
 }
 

@@ -19,7 +19,6 @@ bool Sequence::add(const Value& element) {
 
 bool Sequence::add_all(const Value& list) {
     if (!may_add(list.count)) return false;
-    elements_.reserve(elements_.size() + list.count);
     for (std::uint32_t i = 0; i < list.count; ++i) elements_.push_back(element(list, i));
     return true;
 }

@@ -237,6 +237,11 @@ constexpr CodeInfo kInfos[] = {
  "view.",
  "camera { position: [0, 0, 5], look_at: [0, 0, 5] }",
  "camera { position: [0, 0, 5], look_at: [0, 0, 0] }"},
+{LRAY_CODE(E0312), "malformed format text",
+ "In the text of format() a value stands for `{}`, and a number with two decimals for `{:.2}`, up to "
+ "17 of them. A brace that is meant as such is written twice.",
+ "info { title: format(\"{x}\") }",
+ "info { title: format(\"{{x}}\") }"},
 
 {LRAY_CODE(E0401), "unknown property",
  "This kind of thing has no property of this name.",
@@ -299,10 +304,10 @@ constexpr CodeInfo kInfos[] = {
  "The elements of a list are counted from 0, so the last of three is number 2.",
  "let xs = [10, 20, 30]\nlet x = xs[3]",
  "let xs = [10, 20, 30]\nlet x = xs[2]"},
-{LRAY_CODE(E0505), "list without elements",
- "Something is to be chosen from a list that has nothing in it.",
- "let x = pick([], 42)",
- "let x = pick([1, 2, 3], 42)"},
+{LRAY_CODE(E0505), "nothing in it",
+ "A list without elements has no least one, and a group with nothing in it has no bounds.",
+ "let least = min([])",
+ "let least = min([3, 1, 2])"},
 {LRAY_CODE(E0506), "no `return`",
  "A function with a body gives what follows `return`. Here its end was reached without one: often "
  "an `else` is missing.",
@@ -312,6 +317,10 @@ constexpr CodeInfo kInfos[] = {
  "What `assert` says must hold does not hold. Where it compares two values, both are shown.",
  "let steps = 2\nassert(steps >= 3, \"a stair needs at least 3 steps\")",
  "let steps = 3\nassert(steps >= 3, \"a stair needs at least 3 steps\")\nsphere { radius: steps }"},
+{LRAY_CODE(E0508), "error of the scene",
+ "The scene itself says that something is wrong, by error().",
+ "let width = -2\nlet radius = if width > 0 then width / 2 else error(\"the width must be positive\")",
+ "let width = 2\nlet radius = if width > 0 then width / 2 else error(\"the width must be positive\")"},
 {LRAY_CODE(E0511), "too many nested calls",
  "Functions or components call each other deeper than the limit. A function that calls itself must "
  "stop at some point.",
@@ -413,6 +422,10 @@ constexpr CodeInfo kInfos[] = {
  "what changes.",
  "for i in range(3) { sphere { center: [i, 0, 0], radius: rand(7) } }",
  "for i in range(3) { sphere { center: [i, 0, 0], radius: rand(7, i) } }"},
+{LRAY_CODE(W1106), "warning of the scene",
+ "The scene itself warns of something, by warn().",
+ "let trees = 5000\nlet is_fast = trees < 1000 or warn(\"so many trees take minutes\")",
+ "let trees = 500\nlet is_fast = trees < 1000 or warn(\"so many trees take minutes\")"},
 
 {LRAY_CODE(W1201), "no area",
  "The corners lie on a line, so no ray can hit the shape. It is left out.",
@@ -514,8 +527,8 @@ std::optional<Code> find_code(std::string_view id) {
 }
 
 bool is_limit(Code code) {
-    constexpr std::array kLimits = {Code::E0115, Code::E0512, Code::E0513, Code::E0515,
-                                    Code::E0516};
+    constexpr std::array kLimits = {Code::E0115, Code::E0512, Code::E0513,
+                                    Code::E0514, Code::E0515, Code::E0516};
     return std::find(kLimits.begin(), kLimits.end(), code) != kLimits.end();
 }
 

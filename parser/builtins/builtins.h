@@ -9,31 +9,12 @@
 
 #include "base/diagnostics.h"
 #include "parser/arena.h"
+#include "parser/builtins/parameter_type.h"
 #include "parser/values/operators.h"
 #include "parser/values/value.h"
 #include "scene/scene.h"
 
 namespace lray::parser {
-
-enum class ParameterType : std::uint8_t {
-    number,
-    elements,  // a number, or a vector taken element by element
-    vector,    // 2 to 4 numbers
-    vec3,
-    color,
-    transform,
-    rows,       // 3 or 4 rows of 4 numbers
-    any_scale,  // a number or three
-    any,
-    integer,
-    string,
-    list,
-    numbers,  // a list of numbers of any length
-    function,
-    node,
-    position,  // a number, or a vector of 2 or 3
-    key,       // a number or a string, of random numbers
-};
 
 struct Parameter {
     std::string_view name{};
@@ -96,12 +77,21 @@ struct Builtin {
     std::size_t required_count() const;
 };
 
+/// Functions that belong together, under the heading they have in the reference.
+struct BuiltinFamily {
+    std::string_view title{};
+    std::span<const Builtin> functions{};
+};
+
+std::span<const BuiltinFamily> builtin_families();
+
+/// All functions, family by family.
 std::span<const Builtin> builtins();
 
 /// Index into builtins(); empty if there is none of that name.
 std::optional<std::uint32_t> find_builtin(std::string_view name);
 
-/// Checks that the arguments fit the parameters and calls the function.
+/// Checks that the arguments, `rest` included, fit the parameters and calls the function.
 /// Errors: poison, reported at the argument (E0301, E0303, E0308) or at the call (E0302, E0503).
 /// Poison among the arguments gives poison, in silence.
 Value call_builtin(const Builtin& builtin, Call& call);

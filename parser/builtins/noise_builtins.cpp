@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "base/noise.h"
-#include "parser/builtins/random_families.h"
+#include "parser/builtins/families.h"
+#include "parser/builtins/random_key.h"
 
 namespace lray::parser {
 

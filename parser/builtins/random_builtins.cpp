@@ -9,7 +9,8 @@
 
 #include "base/assert.h"
 #include "base/portable_math.h"
-#include "parser/builtins/random_families.h"
+#include "parser/builtins/families.h"
+#include "parser/builtins/random_key.h"
 
 namespace lray::parser {
 

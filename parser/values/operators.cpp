@@ -97,7 +97,23 @@ bool compare(TokenKind op, double a, double b) {
     return a >= b;
 }
 
-/// Of values of one kind, lists excepted.
+/// How a list of some elements is held.
+enum class Packing : std::uint8_t { poisoned, numbers, rows, values };
+
+Packing packing_of(std::span<const Value> elements) {
+    bool are_numbers = !elements.empty();
+    bool are_rows = !elements.empty();
+    for (const Value& value : elements) {
+        if (value.is(ValueKind::poison)) return Packing::poisoned;
+        are_numbers = are_numbers && value.is(ValueKind::number);
+        are_rows = are_rows && value.is(ValueKind::numbers) && value.count == elements[0].count &&
+                   value.count <= 4;
+    }
+    if (are_numbers) return Packing::numbers;
+    return are_rows ? Packing::rows : Packing::values;
+}
+
+/// Of values of one kind, lists and records excepted.
 bool is_equal_flat(const Value& a, const Value& b) {
     switch (a.kind) {
         case ValueKind::none:
@@ -123,9 +139,10 @@ bool is_equal_flat(const Value& a, const Value& b) {
         case ValueKind::node:
             return a.made == b.made;
         case ValueKind::function:
-            return a.function == b.function;
+            return a.function->function == b.function->function &&
+                   a.function->builtin == b.function->builtin &&
+                   a.function->captures == b.function->captures;
         case ValueKind::record:
-            return a.fields == b.fields;
         case ValueKind::list:
             break;
     }
@@ -173,6 +190,25 @@ bool take_numbers(Budget& budget, std::uint64_t count, Span span, Diagnostics& d
     constexpr std::uint64_t kFree = 4;  // vectors cost what numbers cost
     return take_bytes(budget, count * sizeof(double), span, diagnostics) &&
            (count <= kFree || take_steps(budget, count, span, diagnostics));
+}
+
+bool may_have_elements(const Budget& budget, double count, Span span, Diagnostics& diagnostics) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    const std::uint64_t limit = std::min(budget.max_list_size, kMost);
+    if (count <= static_cast<double>(limit)) return true;
+    if (budget.is_spent) return false;
+    diagnostics
+        .error(Code::E0514, span,
+               fmt::format("this list would have {} elements, more than the limit of {} "
+                           "(`--max-list-size`)",
+                           format_number(count), limit))
+        .with_help("raise the limit with `--max-list-size N`");
+    return false;
+}
+
+bool take_text_steps(Budget& budget, std::uint64_t size, Span span, Diagnostics& diagnostics) {
+    constexpr std::uint64_t kBytesPerStep = 16;
+    return take_steps(budget, size / kBytesPerStep, span, diagnostics);
 }
 
 Value apply(TokenKind op, const Value& left, const Value& right, Span span, Arena& arena,
@@ -238,15 +274,20 @@ std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& 
         const auto [left, right] = pairs.back();
         pairs.pop_back();
         if (left.kind != right.kind) return false;
-        const std::uint64_t size =
-            left.is_list() || left.is(ValueKind::string)
-                ? std::uint64_t{left.count} * std::max<unsigned>(left.width, 1)
-                : 1;
-        if (left.is_list() && left.count != right.count) return false;
-        if (!take_steps(budget, std::max<std::uint64_t>(size, 1), span, diagnostics)) return {};
+        const bool has_count =
+            left.is_list() || left.is(ValueKind::string) || left.is(ValueKind::record);
+        if (has_count && left.count != right.count) return false;
+        const std::uint64_t width = left.is(ValueKind::rows) ? left.width : 1;
+        const std::uint64_t size = has_count ? std::max<std::uint64_t>(left.count * width, 1) : 1;
+        if (!take_steps(budget, size, span, diagnostics)) return {};
         if (left.is(ValueKind::list)) {
             for (std::uint32_t i = 0; i < left.count; ++i) {
                 pairs.emplace_back(left.elements[i], right.elements[i]);
+            }
+        } else if (left.is(ValueKind::record)) {
+            for (std::uint32_t i = 0; i < left.count; ++i) {
+                if (left.fields[i].name != right.fields[i].name) return false;
+                pairs.emplace_back(left.fields[i].value, right.fields[i].value);
             }
         } else if (!is_equal_flat(left, right)) {
             return false;
@@ -256,33 +297,64 @@ std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& 
 }
 
 Value make_list(std::span<const Value> elements, Arena& arena) {
-    bool are_numbers = !elements.empty();
-    bool are_rows = !elements.empty();
-    for (const Value& value : elements) {
-        if (value.is(ValueKind::poison)) return Value::poison();
-        are_numbers = are_numbers && value.is(ValueKind::number);
-        are_rows = are_rows && value.is(ValueKind::numbers) && value.count == elements[0].count &&
-                   value.count <= 4;
-    }
-    if (are_numbers || are_rows) {
-        std::vector<double> numbers;
-        for (const Value& value : elements) {
-            if (are_numbers) numbers.push_back(value.number);
-            if (are_rows) numbers.insert(numbers.end(), value.numbers, value.numbers + value.count);
-        }
-        Value result = Value::of_numbers(arena.copy(numbers));
-        if (are_rows) {
-            result.kind = ValueKind::rows;
-            result.width = static_cast<std::uint8_t>(elements[0].count);
-            result.count = static_cast<std::uint32_t>(elements.size());
-        }
+    const Packing packing = packing_of(elements);
+    if (packing == Packing::poisoned) return Value::poison();
+    Value result;
+    result.count = static_cast<std::uint32_t>(elements.size());
+    if (packing == Packing::values) {
+        result.kind = ValueKind::list;
+        result.width = depth_around(elements);
+        result.elements = arena.copy(elements).data();
         return result;
     }
-    Value result;
-    result.kind = ValueKind::list;
-    result.count = static_cast<std::uint32_t>(elements.size());
-    result.elements = arena.copy(elements).data();
+    const bool are_rows = packing == Packing::rows;
+    const std::size_t width = are_rows ? elements[0].count : 1;
+    const std::size_t size = elements.size() * width * sizeof(double);
+    double* const numbers = static_cast<double*>(arena.allocate(size, alignof(double)));
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const double* const row = are_rows ? elements[i].numbers : &elements[i].number;
+        std::copy_n(row, width, numbers + i * width);
+    }
+    result.kind = are_rows ? ValueKind::rows : ValueKind::numbers;
+    result.width = are_rows ? static_cast<std::uint8_t>(width) : std::uint8_t{0};
+    result.numbers = numbers;
     return result;
+}
+
+Value make_list(std::span<const Value> elements, Span span, Arena& arena, Budget& budget,
+                Diagnostics& diagnostics) {
+    const auto count = static_cast<double>(elements.size());
+    if (!may_have_elements(budget, count, span, diagnostics)) return Value::poison();
+    const Packing packing = packing_of(elements);
+    if (packing == Packing::poisoned) return Value::poison();
+    if (packing == Packing::values && depth_around(elements) > kMaxValueDepth) {
+        diagnostics.error(Code::E0514, span,
+                          fmt::format("lists are nested more than {} deep", kMaxValueDepth));
+        return Value::poison();
+    }
+    const std::size_t width = packing == Packing::rows ? elements[0].count : 1;
+    const std::size_t element_size =
+        packing == Packing::values ? sizeof(Value) : width * sizeof(double);
+    const bool is_paid = take_bytes(budget, elements.size() * element_size, span, diagnostics) &&
+                         take_steps(budget, elements.size(), span, diagnostics);
+    return is_paid ? make_list(elements, arena) : Value::poison();
+}
+
+Value list_of_numbers(std::span<const double> numbers) {
+    if (!numbers.empty()) return Value::of_numbers(numbers);
+    Value empty;
+    empty.kind = ValueKind::list;
+    empty.width = 1;
+    empty.elements = nullptr;
+    return empty;
+}
+
+std::uint8_t depth_around(std::span<const Value> elements) {
+    std::uint8_t deepest = 0;
+    for (const Value& value : elements) deepest = std::max(deepest, value.depth());
+    // Depths end where they are counted: deeper ones are refused all the same.
+    constexpr std::uint8_t kMost = std::numeric_limits<std::uint8_t>::max();
+    return deepest == kMost ? kMost : static_cast<std::uint8_t>(deepest + 1);
 }
 
 Value element(const Value& list, std::uint32_t index) {

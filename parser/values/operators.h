@@ -36,6 +36,13 @@ bool take_kept_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics&
 /// Takes what making `count` numbers costs: memory, and a step each beyond the first few.
 bool take_numbers(Budget& budget, std::uint64_t count, Span span, Diagnostics& diagnostics);
 
+/// True if a list may have so many elements. Errors: false, E0514 reported at `span`.
+/// Shape: any number that is not NaN; it need not be representable as an integer.
+bool may_have_elements(const Budget& budget, double count, Span span, Diagnostics& diagnostics);
+
+/// Takes what reading or writing `size` bytes of text costs: a step for every few.
+bool take_text_steps(Budget& budget, std::uint64_t size, Span span, Diagnostics& diagnostics);
+
 /// Returns left op right, of arithmetic and comparisons: numbers, vectors element by element with
 /// each other or with a number, `+` of strings, `==` and `!=` of everything.
 /// Errors: poison, reported at `span`: E0301 types, E0302 lengths, E0503 no finite result, E0512
@@ -47,14 +54,28 @@ Value apply(TokenKind op, const Value& left, const Value& right, Span span, Aren
 Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena, Budget& budget,
                  Diagnostics& diagnostics);
 
-/// True if the values are the same: lists by their elements, blocks by identity. Each comparison
-/// of two elements is a step.
+/// True if the values are the same: lists by their elements, records by their fields in order,
+/// blocks by identity. Each comparison of two elements is a step.
 /// Errors: empty, E0512 reported at `span`.
 std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& budget,
                              Diagnostics& diagnostics);
 
-/// Returns a list of the elements, packed where they are numbers or rows of numbers.
+/// Returns a list of the elements, packed where they are numbers or rows of numbers. Poison among
+/// them gives poison. For lists that are bounded by the text they stand in.
 Value make_list(std::span<const Value> elements, Arena& arena);
+
+/// The same for lists that are computed: what they cost is taken from the budget first.
+/// Errors: poison; E0514 reported at `span` when there are too many elements or they nest too deep,
+/// E0512 and E0516 when the budget is spent.
+Value make_list(std::span<const Value> elements, Span span, Arena& arena, Budget& budget,
+                Diagnostics& diagnostics);
+
+/// Returns a list of numbers; of none it is the empty list.
+/// Shape: the numbers live as long as the value.
+Value list_of_numbers(std::span<const double> numbers);
+
+/// Returns how deep a list or record of these would nest.
+std::uint8_t depth_around(std::span<const Value> elements);
 
 /// Element `index` of a list, which it must have.
 Value element(const Value& list, std::uint32_t index);

@@ -1,6 +1,8 @@
 // The built-in functions: each against values known from elsewhere.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -9,6 +11,7 @@
 
 #include "image/srgb.h"
 #include "parser/builtins/builtins.h"
+#include "tests/parser/builtin_caller.h"
 #include "tests/parser/evaluate.h"
 #include "tests/parser/loaded.h"
 
@@ -65,7 +68,9 @@ const std::vector<NumberCase> kNumbers = {
     {"rgb(0.25, 0.5, 0.75).g", 0.5},
     {"gray(0.25).b", 0.25},
     {"mix(black, white, 0.25).r", 0.25},
-    {"mix(0, [1, 0.5, 0], 0.5).g", 0.25},
+    {"mix(0, [1, 0.5, 0], 0.5).y", 0.25},
+    {"mix(2, 4, 0.25)", 2.5},
+    {"mix(black, 1, 0.25).g", 0.25},
 };
 
 struct VectorCase {
@@ -119,19 +124,131 @@ TEST(Builtins, DegreesAreExactAtRightAngles) {
 
 TEST(Builtins, EveryFunctionIsTested) {
     std::string all;
-    for (const NumberCase& test : kNumbers) all += std::string(" ") + test.expression;
-    for (const VectorCase& test : kVectors) all += std::string(" ") + test.expression;
-    all += " srgb( hsv( hsl(";  // below
-    // In random_builtins_test.cpp:
-    all += " noise( fbm( ridged( worley( rand( rand_range( rand_int( rand_on_sphere( rand_in_disk(";
-    all += " gauss( shuffle( pick(";
+    for (const char* file : {"builtins", "list_builtins", "string_builtins", "message_builtins",
+                             "geometry_builtins", "animation_builtins", "random_builtins"}) {
+        all += read_bytes(fmt::format("{}/tests/parser/{}_test.cpp", LRAY_SOURCE_DIR, file));
+    }
     for (const parser::Builtin& builtin : parser::builtins()) {
-        const std::string call = std::string(builtin.name) + "(";
-        const std::size_t at = all.find(call);
-        const bool is_tested = all.find(" " + call) != all.npos || all.find("(" + call) != all.npos;
-        EXPECT_TRUE(at != all.npos && is_tested) << builtin.name;
+        const bool is_in_scene = all.find(fmt::format("\"{}(", builtin.name)) != all.npos;
+        const bool is_called = all.find(fmt::format("(\"{}\", {{", builtin.name)) != all.npos;
+        const bool is_inside = all.find(fmt::format("({}(", builtin.name)) != all.npos;
+        EXPECT_TRUE(is_in_scene || is_called || is_inside) << builtin.name;
         EXPECT_FALSE(builtin.doc.empty()) << builtin.name;
     }
+}
+
+TEST(Builtins, AreFoundByTheirNames) {
+    std::set<std::string_view> names;
+    for (std::size_t i = 0; i < parser::builtins().size(); ++i) {
+        const std::string_view name = parser::builtins()[i].name;
+        EXPECT_EQ(parser::find_builtin(name), i) << name;
+        EXPECT_TRUE(names.insert(name).second) << name << " is there twice";
+    }
+    for (const char* name : {"", "a", "ab", "absx", "zzz", "ABS"}) {
+        EXPECT_EQ(parser::find_builtin(name), std::nullopt) << name;
+    }
+}
+
+TEST(Builtins, TheShortWayIsTheSameFunction) {
+    BuiltinCaller caller;
+    std::size_t count = 0;
+    for (const parser::Builtin& builtin : parser::builtins()) {
+        if (builtin.of_number == nullptr) continue;
+        ++count;
+        EXPECT_EQ(builtin.parameter_count(), 1u) << builtin.name;
+        for (const double x : {-1.0, -0.25, 0.0, 0.5, 1.0, 3.75, 1e300}) {
+            const double direct = builtin.of_number(x);
+            const parser::Value result = caller.call(builtin.name, {parser::Value::of(x)});
+            EXPECT_EQ(result.is(parser::ValueKind::number), std::isfinite(direct));
+            if (!std::isfinite(direct)) continue;
+            EXPECT_EQ(result.number, direct) << builtin.name << " " << x;
+        }
+    }
+    EXPECT_EQ(count, 20u);
+}
+
+TEST(Builtins, HugeNumbersAreNeverPatchedOver) {
+    BuiltinCaller caller;
+    const auto number = [](double x) { return parser::Value::of(x); };
+    EXPECT_EQ(caller.says("exp", {number(1000)}), "E0503 1 `exp(1000)` has no finite value");
+    EXPECT_EQ(caller.says("hypot", {number(1.7e308), number(1.7e308)}),
+              "E0503 1 `hypot(1.7e+308, 1.7e+308)` has no finite value");
+    EXPECT_EQ(caller.says("smoothstep", {number(-1.7e308), number(1.7e308), number(0)}), "0.5");
+    EXPECT_EQ(caller.says("rgb", {number(1e308), number(0), number(0)}), "rgb(1e+308, 0, 0)");
+    EXPECT_EQ(caller.says("cross",
+                          {caller.numbers({1e308, 1e308, 1}), caller.numbers({1, 1e308, 1e308})}),
+              "E0503 1 `cross(..., ...)` has no finite value");
+    EXPECT_EQ(caller.says("sqrt", {caller.numbers({4, -1})}),
+              "E0503 1 `sqrt(...)` has no real value");
+    EXPECT_EQ(caller.says("abs", {caller.numbers({})}), "[]");
+    EXPECT_EQ(caller.says("min", {caller.numbers({1, 2}), caller.numbers({})}),
+              "E0302 1 these have 2 and 0 elements");
+}
+
+/// CIE 1931 chromaticity of a linear RGB colour.
+DVec2 chromaticity(DVec3 c) {
+    const double x = 0.4124 * c.x + 0.3576 * c.y + 0.1805 * c.z;
+    const double y = 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+    const double z = 0.0193 * c.x + 0.1192 * c.y + 0.9505 * c.z;
+    return DVec2{x, y} / (x + y + z);
+}
+
+// The Planckian locus. Source: CIE 15:2004 (2856 K is illuminant A); Wyszecki, Stiles 1982,
+// "Color Science", table 1(5.4).
+TEST(ColourFunctions, GlowingBodiesLieOnThePlanckianLocus) {
+    struct Case {
+        double kelvin;
+        double x, y;
+    };
+    for (const Case& test : {Case{2856, 0.4476, 0.4074}, Case{5000, 0.3451, 0.3516},
+                             Case{6500, 0.3135, 0.3237}, Case{10000, 0.2807, 0.2884}}) {
+        const Color color = color_of(fmt::format("kelvin({})", test.kelvin));
+        const DVec2 xy = chromaticity(DVec3{color});
+        EXPECT_NEAR(xy.x, test.x, 0.003) << test.kelvin;
+        EXPECT_NEAR(xy.y, test.y, 0.003) << test.kelvin;
+        EXPECT_EQ(std::max({color.x, color.y, color.z}), 1.0f);
+    }
+}
+
+TEST(ColourFunctions, TemperaturesHaveTheirRange) {
+    BuiltinCaller caller;
+    for (const double kelvin : {999.0, 1000.0, 40000.0, 40001.0, -1.0, 1e308}) {
+        const bool fits = kelvin >= 1000.0 && kelvin <= 40000.0;
+        const std::string told = caller.says("kelvin", {parser::Value::of(kelvin)});
+        EXPECT_EQ(told.starts_with("rgb("), fits) << told;
+        EXPECT_EQ(told.starts_with("E0304 10 `kelvin` takes 1000 to 40000 K, this is "), !fits);
+    }
+    EXPECT_EQ(color_of("kelvin(1000)").z, 0.0f) << "bluer than RGB is cut off";
+    EXPECT_LT(color_of("kelvin(20000)").x, 0.5f);
+}
+
+TEST(ColourFunctions, MixTakesWhatFitsTogether) {
+    BuiltinCaller caller;
+    const auto half = parser::Value::of(0.5);
+    const auto red = caller.color(1, 0, 0);
+    EXPECT_EQ(caller.says("mix", {red, caller.color(0, 0, 1), half}), "rgb(0.5, 0, 0.5)");
+    EXPECT_EQ(caller.says("mix", {caller.numbers({0, 0}), caller.numbers({1, 2}), half}),
+              "[0.5, 1]");
+    EXPECT_EQ(caller.says("mix", {red, caller.numbers({0, 1, 0}), half}), "rgb(0.5, 0.5, 0)");
+    EXPECT_EQ(caller.says("mix", {red, caller.numbers({1, 2}), half}),
+              "E0301 1 there is nothing between a colour and a list of 2 numbers");
+    EXPECT_EQ(caller.says("mix", {caller.numbers({1, 2, 3}), caller.numbers({1, 2}), half}),
+              "E0302 1 these have 3 and 2 elements");
+    EXPECT_EQ(caller.says("mix", {caller.string("a"), red, half}),
+              "E0301 10 `a` of `mix` needs a number, a vector or a colour, this is a string");
+}
+
+TEST(TransformFunctions, LookAtTurnsTowardsItsTarget) {
+    EXPECT_LT(
+        glm::length(vec3_of("apply(look_at([1, 2, 3], [1, 2, 13]), [0, 0, -1])") - DVec3(1, 2, 4)),
+        1e-15);
+    EXPECT_LT(
+        glm::length(vec3_of("apply(look_at([0, 0, 0], [0, 5, 0]), [0, 0, -1])") - DVec3(0, 1, 0)),
+        1e-15);
+    EXPECT_EQ(vec3_of("apply(look_at([0, 0, 0], [0, -5, 0]), [1, 0, 0])"), DVec3(1, 0, 0));
+    BuiltinCaller caller;
+    EXPECT_EQ(caller.says("look_at", {caller.numbers({1, 2, 3}), caller.numbers({1, 2, 3})}),
+              "E0503 1 `position` and `target` are the same point, or infinitely far apart");
 }
 
 TEST(ColourFunctions, DisplayColoursBecomeLinear) {

@@ -127,6 +127,8 @@ Limits limits_of(std::string_view text) {
             limits.load.steps = value;
         } else if (name == "value_bytes") {
             limits.load.value_bytes = value;
+        } else if (name == "list_size") {
+            limits.load.list_size = value;
         } else if (name == "primitives") {
             limits.flatten.primitives = value;
         } else {

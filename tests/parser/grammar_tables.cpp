@@ -122,7 +122,7 @@ std::string property_table(std::span<const PropertySchema> properties) {
     return text;
 }
 
-std::string in_words(ParameterType type) {
+std::string name_of(ParameterType type) {
     switch (type) {
         case ParameterType::number:
             return "number";
@@ -158,6 +158,12 @@ std::string in_words(ParameterType type) {
             return "number or 2 or 3 numbers";
         case ParameterType::key:
             return "number or string";
+        case ParameterType::boolean:
+            return "`true` or `false`";
+        case ParameterType::blendable:
+            return "number, vector or colour";
+        case ParameterType::points:
+            return "rows of 3 numbers";
     }
     LRAY_ASSERT(false);
 }
@@ -169,27 +175,32 @@ std::string arguments_of(const Builtin& builtin) {
         const Parameter& parameter = builtin.parameters[i];
         const bool is_last_of_kind = i + 1 == builtin.parameter_count() ||
                                      builtin.parameters[i + 1].type != parameter.type ||
-                                     builtin.parameters[i + 1].is_optional;
+                                     builtin.parameters[i + 1].is_optional != parameter.is_optional;
         text += fmt::format("`{}`", parameter.name);
         if (!is_last_of_kind) {
             text += ", ";
             continue;
         }
-        text += fmt::format(": {}{}", in_words(parameter.type),
+        text += fmt::format(": {}{}", name_of(parameter.type),
                             parameter.is_optional ? ", optional" : "");
         if (i + 1 < builtin.parameter_count()) text += "; ";
     }
-    if (builtin.is_variadic) text += "; any more";
-    return text;
+    if (!builtin.is_variadic) return text;
+    return fmt::format("{}{}more: {}", text, text.empty() ? "" : "; ", name_of(builtin.rest_type));
 }
 
-std::string function_table() {
-    std::string text =
-        "| function | arguments | result |\n"
-        "|---|---|---|\n";
-    for (const Builtin& builtin : builtins()) {
-        text +=
-            fmt::format("| `{}` | {} | {} |\n", builtin.name, arguments_of(builtin), builtin.doc);
+std::string function_tables() {
+    std::string text;
+    for (const BuiltinFamily& family : builtin_families()) {
+        text += fmt::format(
+            "{}### {}\n\n"
+            "| function | arguments | result |\n"
+            "|---|---|---|\n",
+            text.empty() ? "" : "\n", family.title);
+        for (const Builtin& builtin : family.functions) {
+            text += fmt::format("| `{}` | {} | {} |\n", builtin.name, arguments_of(builtin),
+                                builtin.doc);
+        }
     }
     return text;
 }
@@ -258,7 +269,7 @@ std::vector<GeneratedText> generated_texts() {
         if (block.properties.empty()) continue;
         texts.push_back({std::string(block.name), property_table(block.properties)});
     }
-    texts.push_back({"functions", function_table()});
+    texts.push_back({"functions", function_tables()});
     texts.push_back({"colours", colors()});
     return texts;
 }

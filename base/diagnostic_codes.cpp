@@ -333,6 +333,11 @@ constexpr CodeInfo kInfos[] = {
  "they count from 1, in `triangles:` from 0.",
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[1, 2, 3]]\n}",
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[0, 1, 2]]\n}"},
+{LRAY_CODE(E0703), "picture cannot be read",
+ "The file of an `image` or `environment` is read as PNG or binary PPM (P6); what it holds is damaged, or "
+ "something else.",
+ "let m = material { diffuse: image { file: \"notes.txt\" } }",
+ "let m = material { diffuse: image { file: \"picture.png\" } }"},
 {LRAY_CODE(E0704), "mesh without faces",
  "There is nothing to see: the mesh, or the part of it that was asked for, has no faces.",
  "v 0 0 0\nv 1 0 0\nv 0 1 0",

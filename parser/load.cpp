@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "parser/arena.h"
+#include "parser/blocks/read_animation.h"
 #include "parser/check/checker.h"
 #include "parser/evaluate/evaluator.h"
 #include "parser/file_loader.h"
@@ -122,6 +123,7 @@ LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess&
     const std::span<Item* const> program = includes.parse_with_includes(*main);
     if (!includes.is_structure_known()) return {};
     const Checked checked = check(program, symbols, sources, limits.nesting, arena, diagnostics);
+    scene.animation = read_animation(program, symbols, diagnostics);
     if (diagnostics.has_errors()) return {};
     evaluate(program, checked, symbols, sources, loader, limits, scene, diagnostics);
     if (diagnostics.has_errors()) return {};

@@ -17,25 +17,28 @@ enum class PropertyType : std::uint8_t {
     integer,
     boolean,
     string,
-    option,        // one of a list of strings
-    point,         // three numbers; a colour is not a point
-    direction,     // three numbers, not all 0
-    vec2,          // two numbers
-    size2,         // two numbers greater than 0
-    size3,         // three numbers greater than 0
-    color,         // colour, number or three numbers
-    angle,         // degrees
-    scale,         // number or three numbers, none 0
-    rotation,      // three angles or a transform
-    matrix,        // three or four rows of four numbers
-    transform,     // a transform or a list of them
-    material,      // a material
-    roughness,     // number or two numbers, 0 to 1
-    resolution,    // two whole numbers
-    file,          // a string that names a file
-    points,        // rows of three numbers
-    uvs,           // rows of two numbers
-    index_triples  // rows of three whole numbers
+    option,         // one of a list of strings
+    point,          // three numbers; a colour is not a point
+    direction,      // three numbers, not all 0
+    vec2,           // two numbers
+    size2,          // two numbers greater than 0
+    size3,          // three numbers greater than 0
+    color,          // colour, number or three numbers
+    angle,          // degrees
+    scale,          // number or three numbers, none 0
+    rotation,       // three angles or a transform
+    matrix,         // three or four rows of four numbers
+    transform,      // a transform or a list of them
+    material,       // a material
+    roughness,      // number or two numbers, 0 to 1
+    resolution,     // two whole numbers
+    file,           // a string that names a file
+    points,         // rows of three numbers
+    uvs,            // rows of two numbers
+    index_triples,  // rows of three whole numbers
+    texture,        // a texture
+    stops,          // pairs of a place and a colour, the places in order
+    focus           // a distance or a point
 };
 
 /// Bounds of a number, or of each number of a vector.
@@ -68,7 +71,14 @@ struct PropertySchema {
     bool is_required = false;               // in its form
     Form form = Form::any;
     std::span<const std::string_view> options{};
+    bool takes_texture = false;  // in the place of a value of its type
 };
+
+/// The property, which takes a texture as well.
+constexpr PropertySchema or_texture(PropertySchema property) {
+    property.takes_texture = true;
+    return property;
+}
 
 enum class BlockKind : std::uint8_t {
     group,
@@ -84,11 +94,37 @@ enum class BlockKind : std::uint8_t {
     camera,
     render,
     info,
+    image,
+    checker,
+    stripes,
+    gradient,
+    ramp,
+    noise_texture,
+    marble,
+    wood,
+    point_light,
+    spot_light,
+    directional_light,
+    area_light,
+    environment,
+    animation,
+    record,
 };
-inline constexpr std::size_t kBlockKindCount = 13;
+inline constexpr std::size_t kBlockKindCount = static_cast<std::size_t>(BlockKind::record) + 1;
+
+constexpr bool is_texture(BlockKind kind) {
+    return kind >= BlockKind::image && kind <= BlockKind::wood;
+}
+constexpr bool is_light(BlockKind kind) {
+    return kind >= BlockKind::point_light && kind <= BlockKind::environment;
+}
+/// A value of its own kind, which is used and cannot be placed.
+constexpr bool is_surface(BlockKind kind) {
+    return kind == BlockKind::material || is_texture(kind);
+}
 
 /// The most properties a block has: the size of the evaluator's slot array.
-inline constexpr std::size_t kMaxProperties = 20;
+inline constexpr std::size_t kMaxProperties = 32;
 
 struct BlockSchema {
     BlockKind kind{};
@@ -96,10 +132,10 @@ struct BlockSchema {
     std::string_view doc{};
     std::span<const PropertySchema> properties{};
 
-    /// A shape or a group: takes transform steps, `material`, `visible`, `casts_shadow`.
-    bool is_placeable = false;
+    bool is_placeable = false;  // a shape, a group or a light
     bool has_children = false;
     bool takes_any_string = false;  // `info`: any name, a string each
+    bool takes_any_value = false;   // `record`: any name, any value
 };
 
 /// Properties that every placeable block has besides its own. Transform steps are the only ones
@@ -122,6 +158,21 @@ inline constexpr std::size_t kCommonPropertyCount = 12;
 
 constexpr bool is_transform_step(CommonProperty property) {
     return property <= CommonProperty::look_at;
+}
+
+/// True for the common properties that a block has: shapes and groups all of them, lights no
+/// material, and only those that shine one way `look_at`, textures the transform steps.
+constexpr bool takes(const BlockSchema& schema, CommonProperty property) {
+    if (is_texture(schema.kind)) {
+        return is_transform_step(property) && property != CommonProperty::look_at;
+    }
+    if (is_light(schema.kind)) {
+        const bool has_direction =
+            schema.kind == BlockKind::spot_light || schema.kind == BlockKind::directional_light;
+        return property != CommonProperty::material &&
+               (property != CommonProperty::look_at || has_direction);
+    }
+    return schema.is_placeable;
 }
 
 /// Shape: in the order of CommonProperty.
@@ -150,11 +201,12 @@ constexpr std::size_t find_property(std::span<const PropertySchema> properties,
     return slot;
 }
 
-/// Returns what other tools' users mean by a property name (`color` -> `diffuse`); empty if
-/// nothing is known.
-std::string_view property_habit(std::string_view name);
+/// Returns what other tools' users mean by a property name (`color` -> `diffuse`), one of the
+/// block's own properties first; empty if nothing is known.
+std::string_view property_habit(std::string_view name, const BlockSchema& schema);
 
-/// Returns what a block name from other tools is called here; empty if nothing is known.
+/// Returns what a block name from other tools is called here, to stand between back quotes; empty
+/// if nothing is known.
 std::string_view block_habit(std::string_view name);
 
 /// True for a block or function of the language that this version does not have.

@@ -180,10 +180,11 @@ void Checker::items(std::span<Item* const> list, const BlockSchema* block_schema
 void Checker::let(LetItem& item) {
     expression(*item.value);
     const std::string_view text = symbols_.text(item.name);
-    if (const BlockSchema* built_in = find_block(item.name)) {
+    // The name of a texture may be taken, as that of a colour: `let wood = image { ... }`.
+    const BlockSchema* const built_in = find_block(item.name);
+    if (built_in != nullptr && !is_texture(built_in->kind)) {
         diagnostics_.error(Code::E0203, item.name_span,
                            fmt::format("`{}` is a built-in block; choose another name", text));
-        static_cast<void>(built_in);
     }
     const auto current_scope = static_cast<std::uint32_t>(scopes_.size());
     const Variable* const hidden = find(item.name);
@@ -306,21 +307,18 @@ void Checker::placed_block(const BlockItem& item, const BlockSchema* parent) {
     const bool is_built_in = placed.head->kind == ExprKind::name &&
                              static_cast<const NameExpr&>(*placed.head).meaning == Meaning::block;
     if (schema == nullptr) return;
-    if (!is_built_in && schema->kind == BlockKind::material) {
-        const std::string_view head = sources_.text(placed.head->span);
-        diagnostics_.error(Code::E0408, placed.head->span, "a material cannot be placed")
-            .with_hint(fmt::format("use `material: {}` in a shape", head));
+    const bool is_value =
+        is_texture(schema->kind) || schema->kind == BlockKind::record ||
+        (schema->kind == BlockKind::material && (!is_built_in || parent == nullptr));
+    if (is_value) {
+        report_placed_value(schema->kind, sources_.text(placed.head->span), placed.head->span,
+                            diagnostics_);
         return;
     }
     if (parent == nullptr) top_level_block(placed, *schema);
 }
 
 void Checker::top_level_block(const BlockExpr& placed, const BlockSchema& schema) {
-    if (schema.kind == BlockKind::material) {
-        diagnostics_.error(Code::E0408, placed.head->span, "a material cannot be placed")
-            .with_help(
-                "give it a name: `let red = material { ... }`, then `material: red` in a shape");
-    }
     const bool is_unique = schema.kind == BlockKind::render || schema.kind == BlockKind::info;
     if (!is_unique) return;
     Span& first = schema.kind == BlockKind::render ? first_render_ : first_info_;

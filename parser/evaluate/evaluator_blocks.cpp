@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "parser/blocks/build_light.h"
 #include "parser/blocks/build_material.h"
 #include "parser/blocks/build_mesh.h"
+#include "parser/blocks/build_texture.h"
 #include "parser/blocks/build_view.h"
 #include "parser/check/check_block.h"
 #include "parser/evaluate/evaluator_state.h"
@@ -23,16 +25,16 @@ Evaluator::Head Evaluator::head(const BlockExpr& expr, bool is_placed) {
     }
     const Value value = eval(*expr.head);
     if (value.is(ValueKind::poison)) return {};
-    const bool is_material = value.is(ValueKind::material);
-    if (!is_material && !value.is(ValueKind::node)) {
+    const bool is_surface = value.is(ValueKind::material) || value.is(ValueKind::texture);
+    if (!is_surface && !value.is(ValueKind::node)) {
         error(
             Code::E0408, expr.head->span,
             fmt::format("`{}` is {}; only blocks take braces", text(*expr.head), describe(value)));
         return {};
     }
-    if (is_material && is_placed) {
-        error(Code::E0408, expr.head->span, "a material cannot be placed")
-            .with_hint(fmt::format("use `material: {}` in a shape", text(*expr.head)));
+    if (is_surface && is_placed) {
+        report_placed_value(value.made->schema->kind, text(*expr.head), expr.head->span,
+                            diagnostics_);
         return {};
     }
     const BlockSchema& schema = *value.made->schema;
@@ -52,7 +54,8 @@ Value Evaluator::block_value(const BlockExpr& expr) {
     if (made_of.schema == nullptr) return Value::poison();
     const BlockSchema& schema = *made_of.schema;
     const bool is_material = schema.kind == BlockKind::material;
-    if (!is_material && !schema.is_placeable) {
+    const bool is_texture_block = is_texture(schema.kind);
+    if (!is_surface(schema.kind) && !schema.is_placeable) {
         error(Code::E0408, expr.head->span, fmt::format("a `{}` block is not a value", schema.name))
             .with_help("write it at the top level");
         return Value::poison();
@@ -60,7 +63,9 @@ Value Evaluator::block_value(const BlockExpr& expr) {
     OpenBlock open(schema, expr.span);
     if (made_of.made != nullptr) {
         open.values = *made_of.made->values;
-        if (!is_material) {
+        if (is_texture_block) {
+            open.transform = scene_.textures[made_of.made->id].space_from_texture;
+        } else if (!is_material) {
             const scene::Node& original = scene_.nodes[made_of.made->id];
             if (!original.transform_id.is_none()) {
                 open.transform = scene_.transforms[original.transform_id.index()];
@@ -79,6 +84,7 @@ Value Evaluator::block_value(const BlockExpr& expr) {
     }
     items(expr.body.items, open);
     if (is_material) return make_material(open);
+    if (is_texture_block) return make_texture(open);
     const std::optional<NodeId> node = make_node(open, expr.label);
     if (!node) return Value::poison();
     const PropertyValues* values = arena_.make<PropertyValues>(open.values);
@@ -88,9 +94,21 @@ Value Evaluator::block_value(const BlockExpr& expr) {
 Value Evaluator::make_material(const OpenBlock& open) {
     if (open.is_poisoned) return Value::poison();
     const scene::MaterialId id(scene_.materials.size());
-    scene_.materials.push_back(build_material(open.values, open.span, diagnostics_));
+    scene_.materials.push_back(
+        build_material(open.values, scene_.textures, open.span, diagnostics_));
     const PropertyValues* values = arena_.make<PropertyValues>(open.values);
     return Value::of_made(ValueKind::material, arena_.make<Made>(&open.schema, values, id.value));
+}
+
+Value Evaluator::make_texture(const OpenBlock& open) {
+    if (open.is_poisoned) return Value::poison();
+    const std::uint64_t size = texture_size(open.values, open.schema);
+    if (!take_bytes(budget_, size, open.span, diagnostics_)) return Value::poison();
+    const auto id = build_texture(open.schema, open.values, open.value_spans, open.transform,
+                                  open.span, files_, scene_);
+    if (!id) return Value::poison();
+    const PropertyValues* values = arena_.make<PropertyValues>(open.values);
+    return Value::of_made(ValueKind::texture, arena_.make<Made>(&open.schema, values, id->value));
 }
 
 void Evaluator::view_block(const BlockSchema& schema, const BlockExpr& expr) {
@@ -152,6 +170,10 @@ std::optional<ShapeRef> Evaluator::shape_of(const OpenBlock& open) {
         scene_.mesh_uses.push_back(*use);
         return ShapeRef{scene::NodeKind::mesh,
                         static_cast<std::uint32_t>(scene_.mesh_uses.size() - 1)};
+    }
+    if (is_light(open.schema.kind)) {
+        return build_light(open.schema, open.values, open.value_spans, open.span, files_, scene_,
+                           diagnostics_);
     }
     return build_shape(open.schema, open.values, open.span, scene_, diagnostics_);
 }

@@ -98,6 +98,7 @@ void Evaluator::property(const PropertyItem& item, OpenBlock& open) {
         }
         return;
     }
+    if (open.schema.takes_any_value) return;
     const PropertyPlace place = find_place(open.schema, symbols_.text(item.name));
     LRAY_ASSERT(place.schema != nullptr);
     const Value fitted =

@@ -80,6 +80,7 @@ class Evaluator : public Runtime {
     void view_block(const BlockSchema& schema, const BlockExpr& expr);
     std::optional<scene::NodeId> instance(const BlockExpr& expr, const Made& made);
     Value make_material(const OpenBlock& open);
+    Value make_texture(const OpenBlock& open);
     std::optional<scene::NodeId> make_node(const OpenBlock& open, const StringExpr* label);
     std::optional<ShapeRef> shape_of(const OpenBlock& open);
     scene::NodeId add_node(const OpenBlock& open, scene::NodeKind kind, std::size_t index,

@@ -53,6 +53,7 @@ std::vector<Golden> goldens() {
         {"orthographic", "tests/golden/orthographic.lrs", {"--size", "160x120"}},
         {"planes", "tests/golden/planes.lrs", {"--size", "160x120"}},
         {"quadrics", "tests/golden/quadrics.lrs", {"--size", "160x120"}},
+        {"textures", "tests/golden/textures.lrs", {"--size", "160x120"}},
         {"transforms", "tests/golden/transforms.lrs", {"--size", "160x120"}},
     };
 }

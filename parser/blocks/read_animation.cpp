@@ -61,7 +61,8 @@ class AnimationReader {
             not_plain(item.value->span);
             return;
         }
-        const Value fitted = fit(kAnimation[found], *value, item.value->span, diagnostics_);
+        Diagnostics again;  // check() has fitted plain values, and reported those that do not fit
+        const Value fitted = fit(kAnimation[found], *value, item.value->span, again);
         if (!fitted.is(ValueKind::poison)) values.set(found, fitted);
     }
 

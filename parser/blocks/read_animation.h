@@ -12,8 +12,8 @@ namespace lray::parser {
 
 /// Returns what the `animation` block among the top-level items says, those of included files
 /// counted; empty if there is none. Its values are numbers, with a sign if need be.
-/// Errors: E0301 for what has to be computed, E0304 and E0308 for what does not fit, E0405 for a
-/// second block; names that it does not have are left to check_block().
+/// Errors: E0301 for what has to be computed, E0405 for a second block. Names that it does not have
+/// and numbers that do not fit are left to check().
 std::optional<scene::Animation> read_animation(std::span<Item* const> top_level_items,
                                                const Symbols& symbols, Diagnostics& diagnostics);
 

@@ -53,6 +53,9 @@ Setting setting_of(Code code) {
     } else if (code == Code::E0602) {
         setting.name = "a.lrs";
         with_files({{"b.lrs", kBall}});
+    } else if (code == Code::E0703) {
+        with_files({{"notes.txt", "rough, dark\n"},
+                    {"picture.png", std::string_view("P6\n1 1\n255\nabc")}});  // told by its bytes
     } else if (code == Code::E0705) {
         with_files({{"chair.blend", "BLENDER"}, {"chair.obj", kObj}});
     } else if (code == Code::W1603) {

@@ -258,6 +258,9 @@ std::string dump(const scene::Scene& scene, const Sources& sources) {
                 add3(scene.planes[n.index].point);
                 add3(scene.planes[n.index].normal);
                 break;
+            case scene::NodeKind::light:
+                add(scene.lights[n.index].shape.index(), scene.lights[n.index].intensity);
+                break;
             case scene::NodeKind::mesh:
                 add(scene.mesh_uses[n.index].z_is_up);
                 break;

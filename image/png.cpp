@@ -204,8 +204,8 @@ bool is_png(std::span<const std::byte> file) {
            png_sig_cmp(reinterpret_cast<png_const_bytep>(file.data()), 0, kSignatureSize) == 0;
 }
 
-std::optional<Image> read_png(std::span<const std::byte> file, const ReadLimits& limits,
-                              std::string& error) {
+std::optional<CodedImage> read_png(std::span<const std::byte> file, const ReadLimits& limits,
+                                   std::string& error) {
     if (!is_png(file)) {
         error = "this is not a PNG file";
         return std::nullopt;
@@ -218,11 +218,9 @@ std::optional<Image> read_png(std::span<const std::byte> file, const ReadLimits&
     };
     if (!reader.open() || !reader.read_header()) return fail();
     if (!limits.allow(reader.width(), reader.height(), error)) return std::nullopt;
-    std::vector<std::uint8_t> bytes(std::size_t{3} * reader.width() * reader.height());
-    if (!reader.read_rows(bytes.data())) return fail();
-
-    Image image(reader.width(), reader.height());
-    srgb_decode_row(bytes, image.pixels);
+    CodedImage image{reader.width(), reader.height(), {}};
+    image.rgb.resize(std::size_t{3} * image.width * image.height);
+    if (!reader.read_rows(image.rgb.data())) return fail();
     return image;
 }
 

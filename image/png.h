@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/output_file.h"
+#include "image/coded_image.h"
 #include "image/image.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -25,7 +26,7 @@ bool is_png(std::span<const std::byte> file);
 /// Reads any PNG as 8-bit RGB: palettes are looked up, greys spread, 16 bits rounded to 8,
 /// transparency dropped.
 /// Errors: empty, and `error` tells why in words.
-std::optional<Image> read_png(std::span<const std::byte> file, const ReadLimits& limits,
-                              std::string& error);
+std::optional<CodedImage> read_png(std::span<const std::byte> file, const ReadLimits& limits,
+                                   std::string& error);
 
 }  // namespace lray::image

@@ -82,8 +82,8 @@ bool write_ppm(OutputFile& out, const Image& image) {
     return true;
 }
 
-std::optional<Image> read_ppm(std::span<const std::byte> file, const ReadLimits& limits,
-                              std::string& error) {
+std::optional<CodedImage> read_ppm(std::span<const std::byte> file, const ReadLimits& limits,
+                                   std::string& error) {
     HeaderReader header({reinterpret_cast<const char*>(file.data()), file.size()});
     if (!header.take_magic()) {
         error = "this is not a binary PPM (P6) file";
@@ -108,10 +108,8 @@ std::optional<Image> read_ppm(std::span<const std::byte> file, const ReadLimits&
                             needed);
         return std::nullopt;
     }
-    Image image(*width, *height);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels->data());
-    srgb_decode_row({bytes, 3 * image.pixels.size()}, image.pixels);
-    return image;
+    return CodedImage{*width, *height, {bytes, bytes + needed}};
 }
 
 }  // namespace lray::image

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/output_file.h"
+#include "image/coded_image.h"
 #include "image/image.h"
 #include "image/read.h"
 
@@ -19,7 +20,7 @@ bool write_ppm(OutputFile& out, const Image& image);
 
 /// Reads a P6 picture with a maximum of 255; comments in the header are skipped.
 /// Errors: empty, and `error` tells why in words.
-std::optional<Image> read_ppm(std::span<const std::byte> file, const ReadLimits& limits,
-                              std::string& error);
+std::optional<CodedImage> read_ppm(std::span<const std::byte> file, const ReadLimits& limits,
+                                   std::string& error);
 
 }  // namespace lray::image

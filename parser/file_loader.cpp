@@ -15,17 +15,30 @@ namespace lray::parser {
 
 namespace {
 
+/// The ending of a file name when it is one of these, in any letter case; empty otherwise.
+std::string_view ending_among(std::string_view path, std::span<const std::string_view> endings) {
+    for (const std::string_view known : endings) {
+        if (path.size() < known.size()) continue;
+        const std::string_view ending = path.substr(path.size() - known.size());
+        if (edit_distance(ending, known, 0) == 0) return ending;
+    }
+    return {};
+}
+
 /// The ending of a file name when it is that of a mesh format other than OBJ; empty otherwise.
 std::string_view other_mesh_format(std::string_view path) {
     constexpr std::array<std::string_view, 14> kOthers = {".3ds", ".abc",  ".blend", ".dae", ".fbx",
                                                           ".glb", ".gltf", ".mtl",   ".off", ".ply",
                                                           ".stl", ".usd",  ".usda",  ".x3d"};
-    for (const std::string_view other : kOthers) {
-        if (path.size() < other.size()) continue;
-        const std::string_view ending = path.substr(path.size() - other.size());
-        if (edit_distance(ending, other, 0) == 0) return ending;  // in any letter case
-    }
-    return {};
+    return ending_among(path, kOthers);
+}
+
+/// The ending of a file name when it is that of a picture format that is not read; empty otherwise.
+std::string_view other_picture_format(std::string_view path) {
+    constexpr std::array<std::string_view, 12> kOthers = {".avif", ".bmp",  ".exr",  ".gif",
+                                                          ".hdr",  ".heic", ".jpeg", ".jpg",
+                                                          ".pfm",  ".tga",  ".tiff", ".webp"};
+    return ending_among(path, kOthers);
 }
 
 }  // namespace
@@ -157,7 +170,7 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
     return mesh_id;
 }
 
-std::optional<image::Image> FileLoader::picture(std::string_view path, SourceId from, Span span) {
+std::optional<image::Image> FileLoader::heights(std::string_view path, SourceId from, Span span) {
     const std::optional<SourceId> file = read({path, span, Span{}, mesh_limit_}, from);
     if (!file) return std::nullopt;
     std::string mistake;
@@ -169,6 +182,53 @@ std::optional<image::Image> FileLoader::picture(std::string_view path, SourceId 
     }
     sources_.release_text(*file);  // its bytes are never shown
     return picture;
+}
+
+std::optional<scene::PictureId> FileLoader::picture(std::string_view path, SourceId from, Span span,
+                                                    scene::Scene& scene) {
+    const auto [known, is_new] = pictures_.try_emplace({directories_[from], std::string(path)});
+    if (is_new) known->second = read_picture(path, from, span, scene);
+    return known->second;
+}
+
+std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, SourceId from,
+                                                         Span span, scene::Scene& scene) {
+    if (const std::string_view format = other_picture_format(path); !format.empty()) {
+        diagnostics_
+            .error(Code::E0705, span,
+                   fmt::format("`{}` files are not read by this version", format))
+            .with_help("save the picture as PNG");
+        return std::nullopt;
+    }
+    const std::optional<SourceId> file = read({path, span, Span{}, texture_limit_}, from);
+    if (!file) return std::nullopt;
+    const std::string_view text = sources_[*file].text.view();
+    std::string mistake;
+    image::ReadLimits pixels{texture_pixels_left_};
+    std::optional<image::CodedImage> image =
+        image::read_coded_image(std::as_bytes(std::span(text)), pixels, mistake);
+    sources_.release_text(*file);
+    if (!image && pixels.is_exceeded) {
+        const bool is_first = texture_pixels_left_ == limits_.texture_pixels;
+        diagnostics_
+            .error(Code::E0516, span,
+                   fmt::format("`{}`: {}{}", path, mistake,
+                               is_first ? "" : " that the pictures before it leave"))
+            .with_help("raise the limit with `--max-texture-pixels N`");
+        return std::nullopt;
+    }
+    if (!image) {
+        diagnostics_.error(Code::E0703, span, fmt::format("`{}`: {}", path, mistake));
+        return std::nullopt;
+    }
+    texture_pixels_left_ -= std::uint64_t{image->width} * image->height;
+    scene::Picture picture;
+    picture.srgb_mean = image::mean_color(*image, true);
+    picture.linear_mean = image::mean_color(*image, false);
+    picture.pixels = std::move(*image);
+    const scene::PictureId id(scene.pictures.size());
+    scene.pictures.push_back(std::move(picture));
+    return id;
 }
 
 }  // namespace lray::parser

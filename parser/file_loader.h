@@ -1,5 +1,5 @@
 // Brings the files that a scene names into the load: text of includes, meshes, pictures. Each mesh
-// is read once per run.
+// and picture is read once per run.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace lray::parser {
 
-/// Turns names in a scene into sources and meshes, once per run for each mesh.
+/// Turns names in a scene into sources, meshes and pictures, once per run for each of the latter.
 class FileLoader {
  public:
     FileLoader(FileAccess& files, Sources& sources, const LoadLimits& limits,
@@ -40,9 +40,18 @@ class FileLoader {
     /// Decodes a PNG or PPM file of heights named at `span` in the source `from`. It counts as a
     /// mesh file.
     /// Errors: empty, reported at `span`: E0601 and its like, E0703 not a picture, or too large.
-    std::optional<image::Image> picture(std::string_view path, SourceId from, Span span);
+    std::optional<image::Image> heights(std::string_view path, SourceId from, Span span);
+    /// Returns the picture of a PNG or PPM file named at `span` in the source `from`.
+    /// Errors: empty, reported at `span`: E0516 beyond the limits, which the header tells, E0601
+    /// and its like, E0703 what is wrong in the file, E0705 another format; the same file again is
+    /// silent.
+    std::optional<scene::PictureId> picture(std::string_view path, SourceId from, Span span,
+                                            scene::Scene& scene);
 
  private:
+    std::optional<scene::PictureId> read_picture(std::string_view path, SourceId from, Span span,
+                                                 scene::Scene& scene);
+
     /// Of all files of a kind together: a small one may be named ten thousand times.
     struct SizeLimit {
         std::uint64_t bytes = 0;
@@ -68,9 +77,12 @@ class FileLoader {
     LoadLimits limits_;
     SizeLimit scene_limit_{limits_.scene_bytes, "--max-scene-bytes"};
     SizeLimit mesh_limit_{limits_.mesh_bytes, "--max-mesh-bytes"};
+    SizeLimit texture_limit_{limits_.texture_bytes, "--max-texture-bytes"};
+    std::uint64_t texture_pixels_left_ = limits_.texture_pixels;
     Diagnostics& diagnostics_;
     std::map<SourceId, std::string> directories_;
     std::map<std::pair<std::string, std::string>, std::optional<scene::MeshId>> meshes_;
+    std::map<std::pair<std::string, std::string>, std::optional<scene::PictureId>> pictures_;
 };
 
 }  // namespace lray::parser

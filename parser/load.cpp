@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parser/arena.h"
+#include "parser/blocks/read_animation.h"
 #include "parser/check/checker.h"
 #include "parser/definitions.h"
 #include "parser/evaluate/evaluator.h"
@@ -50,10 +51,12 @@ LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess&
     const std::span<Item* const> items = program.parse(*main);
     if (!program.is_structure_known()) return {};
     const Checked checked = check(items, symbols, sources, limits.nesting, arena, diagnostics);
+    scene.animation = read_animation(items, symbols, diagnostics);
     if (diagnostics.has_errors()) return {};
 
     LoadResult result;
-    Environment environment{checked, symbols, sources, loader, settings, 0.0, {}, {}};
+    const double time = scene.animation.start + settings.frame / scene.animation.fps;
+    Environment environment{checked, symbols, sources, loader, settings, time, {}, {}};
     environment.usage_mistakes = &result.usage_mistakes;
     environment.params =
         read_definitions(settings.definitions, checked, context, result.usage_mistakes);

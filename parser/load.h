@@ -16,12 +16,14 @@
 namespace lray::parser {
 
 struct LoadLimits {
-    std::uint64_t scene_bytes = std::uint64_t{1} << 30;    // --max-scene-bytes, of all files
-    std::uint64_t mesh_bytes = std::uint64_t{4} << 30;     // --max-mesh-bytes, of all files
-    std::uint32_t nesting = 256;                           // --max-nesting
-    std::uint32_t include_depth = 64;                      // --max-include-depth
-    std::uint32_t files = 10'000;                          // --max-files
-    std::uint64_t steps = 100'000'000;                     // --max-steps, of evaluation
+    std::uint64_t scene_bytes = std::uint64_t{1} << 30;      // --max-scene-bytes, of all files
+    std::uint64_t mesh_bytes = std::uint64_t{4} << 30;       // --max-mesh-bytes, of all files
+    std::uint64_t texture_bytes = std::uint64_t{256} << 20;  // --max-texture-bytes, of all files
+    std::uint64_t texture_pixels = std::uint64_t{1} << 26;   // --max-texture-pixels, of all files
+    std::uint32_t nesting = 256;                             // --max-nesting
+    std::uint32_t include_depth = 64;                        // --max-include-depth
+    std::uint32_t files = 10'000;                            // --max-files
+    std::uint64_t steps = 100'000'000;                       // --max-steps, of evaluation
     std::uint64_t value_bytes = std::uint64_t{1} << 30;    // --max-value-bytes, of what is computed
     std::uint32_t call_depth = 1000;                       // --max-call-depth
     std::uint64_t list_size = 100'000'000;                 // --max-list-size, elements of one list

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/assert.h"
 
@@ -31,8 +32,21 @@ double view_height(const scene::Camera& camera) {
             return 2.0 * static_cast<double>(std::tan(static_cast<float>(camera.fov) / 2.0f));
         case scene::Projection::orthographic:
             return camera.height;
+        case scene::Projection::panorama:
+            return std::numbers::pi;  // not looked at: a panorama has angles
     }
     LRAY_ASSERT(false);
+}
+
+struct SineCosine {
+    double sine = 0.0;
+    double cosine = 1.0;
+};
+
+/// Of an angle within a quarter turn of 0, from the tangent of its half.
+SineCosine sine_cosine(double angle) {
+    const double t = static_cast<double>(std::tan(static_cast<float>(0.5 * angle)));
+    return {2.0 * t / (1.0 + t * t), (1.0 - t * t) / (1.0 + t * t)};
 }
 
 }  // namespace
@@ -55,6 +69,17 @@ CameraRays::CameraRays(const scene::Camera& camera, scene::Resolution resolution
       pixel_size_(view_height(camera) / resolution.height),
       projection_(camera.projection) {}
 
+DVec3 CameraRays::panorama_direction(DVec2 position_pixel) const {
+    const double turn = position_pixel.x / (2.0 * center_pixel_.x) - 0.5;  // of a whole turn
+    const double rise = 0.5 - position_pixel.y / (2.0 * center_pixel_.y);  // of half a turn
+    const SineCosine half = sine_cosine(std::numbers::pi * turn);
+    const SineCosine pitch = sine_cosine(std::numbers::pi * rise);
+    const double heading_sine = 2.0 * half.sine * half.cosine;
+    const double heading_cosine = half.cosine * half.cosine - half.sine * half.sine;
+    return unit(pitch.cosine * (heading_sine * frame_.right + heading_cosine * frame_.forward) +
+                pitch.sine * frame_.up);
+}
+
 Ray CameraRays::through(DVec2 position_pixel) const {
     const double x = (position_pixel.x - center_pixel_.x) * pixel_size_;
     const double y = (center_pixel_.y - position_pixel.y) * pixel_size_;  // rows go down
@@ -64,6 +89,8 @@ Ray CameraRays::through(DVec2 position_pixel) const {
             return {Vec3(position_), Vec3(unit(frame_.forward + offset))};
         case scene::Projection::orthographic:
             return {Vec3(position_ + offset), Vec3(frame_.forward)};
+        case scene::Projection::panorama:
+            return {Vec3(position_), Vec3(panorama_direction(position_pixel))};
     }
     LRAY_ASSERT(false);
 }

@@ -18,8 +18,9 @@ struct CameraFrame {
 /// picture. An `up` along the view gives way to the axis that is farthest from it.
 CameraFrame camera_frame(DVec3 position, DVec3 look_at, DVec3 up);
 
-/// A pinhole or orthographic camera with a picture before it. Uses only operations that give the
-/// same bits on every processor: + - * / sqrt, and of libm the float tangent.
+/// A pinhole, orthographic or panoramic (equirectangular) camera with a picture before it. Uses
+/// only operations that give the same bits on every processor: + - * / sqrt, and of libm the float
+/// tangent.
 class CameraRays {
  public:
     /// `resolution` is that of the full picture, also when only a crop of it is rendered.
@@ -30,6 +31,8 @@ class CameraRays {
     Ray through(DVec2 position_pixel) const;
 
  private:
+    DVec3 panorama_direction(DVec2 position_pixel) const;
+
     CameraFrame frame_{};
     DVec3 position_{};
     DVec2 center_pixel_{};

@@ -1,4 +1,4 @@
-// Cameras and the settings of a render. Defaults are those of the language.
+// Cameras, the settings of a render and the animation. Defaults are those of the language.
 #pragma once
 
 #include <array>
@@ -11,7 +11,9 @@
 
 namespace lray::scene {
 
-enum class Projection : std::uint8_t { perspective, orthographic };
+/// `panorama`: all directions, u around the up axis and v from straight down to straight up, the
+/// view in the middle of the picture (equirectangular).
+enum class Projection : std::uint8_t { perspective, orthographic, panorama };
 
 /// Width and height in pixels.
 struct Resolution {
@@ -29,14 +31,38 @@ struct Camera {
     Projection projection = Projection::perspective;
     double fov = 0.785398163397448309616;    // vertical, radians: 45 degrees
     double height = 2.0;                     // of the orthographic view, world units
+    double aperture = 0.0;                   // diameter of the lens; 0: all is sharp
+    std::optional<double> focus{};           // distance of what is sharp; empty: that of look_at
     std::optional<Resolution> resolution{};  // overrides RenderSettings
     std::optional<Color> background{};       // likewise
     Span span{};
 };
 
+enum class ToneMap : std::uint8_t { none, reinhard, aces };
+enum class Gamma : std::uint8_t { srgb, linear };
+enum class Integrator : std::uint8_t { whitted, path };
+enum class SamplerKind : std::uint8_t { sobol, random };
+
 struct RenderSettings {
     Resolution resolution{};
+    std::uint32_t samples = 1;    // rays per pixel
+    std::uint32_t max_depth = 8;  // of reflections and refractions one after the other
     Color background{0.0f};
+    Color ambient{0.0f};
+    double exposure = 0.0;  // in stops: light times 2^exposure
+    ToneMap tonemap = ToneMap::none;
+    Gamma gamma = Gamma::srgb;
+    std::uint64_t seed = 0;
+    Integrator integrator = Integrator::whitted;
+    SamplerKind sampler = SamplerKind::sobol;
+    bool transparent_shadows = false;
+};
+
+/// Frame i of `frames` is at the time start + i / fps, in seconds.
+struct Animation {
+    std::uint32_t frames = 1;
+    double fps = 24.0;
+    double start = 0.0;
 };
 
 }  // namespace lray::scene

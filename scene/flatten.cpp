@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/assert.h"
 #include "scene/flatten_count.h"
+#include "scene/place_light.h"
 #include "scene/placer.h"
 
 namespace lray::scene {
@@ -46,6 +50,16 @@ bool is_within(const FlattenCounts& counts, const FlattenLimits& limits, const S
                                       counts.primitives, kMost));
         return false;
     }
+    if (const std::uint64_t lights = counts.shapes_of(NodeKind::light); lights > limits.lights) {
+        const bool is_saturated = lights == std::numeric_limits<std::uint64_t>::max();
+        diagnostics
+            .error(Code::E0513, span,
+                   fmt::format("the scene has {}{} lights, more than the limit of {} "
+                               "(`--max-lights`)",
+                               is_saturated ? "more than " : "", lights, limits.lights))
+            .with_help("raise it with `--max-lights`; `emission` of a material is no light");
+        return false;
+    }
     // The graph's own nodes are paid for already.
     const std::uint64_t most_visits =
         kNodesPerPrimitive * std::min(limits.primitives, kMost) + scene.nodes.size();
@@ -80,7 +94,8 @@ void reserve(World& world, const FlattenCounts& counts) {
     world.vertices.reserve(3 * literal_triangles + counts.mesh_triangles / 2);
     std::uint64_t objects = 0;
     for (const std::uint64_t count : counts.shapes) objects += count;
-    world.objects.reserve(objects);
+    world.objects.reserve(objects - counts.shapes_of(NodeKind::light));
+    world.lights.reserve(counts.shapes_of(NodeKind::light));
 }
 
 /// True if the map has an inverse.
@@ -96,8 +111,13 @@ bool is_invertible(const Transform& transform) {
 /// deep groups nest is up to the scene.
 class Walk {
  public:
-    Walk(const Scene& scene, const Occupied& occupied, Placer& placer, Diagnostics& diagnostics)
-        : scene_(scene), occupied_(occupied), placer_(placer), diagnostics_(diagnostics) {}
+    Walk(const Scene& scene, const Occupied& occupied, Placer& placer, World& world,
+         Diagnostics& diagnostics)
+        : scene_(scene),
+          occupied_(occupied),
+          placer_(placer),
+          world_(world),
+          diagnostics_(diagnostics) {}
 
     /// True if everything was placed.
     bool run() {
@@ -127,13 +147,13 @@ class Walk {
         Placement placement{};
     };
 
-    std::size_t error_count() const { return singular_count_ + placer_.refused_count(); }
+    std::size_t error_count() const { return refused_count_ + placer_.refused_count(); }
 
     /// Places a shape, or puts a group or instance on the stack. `above` is taken by value: it may
     /// live on the stack.
     void enter(NodeId id, Placement placement) {
         const Node& node = scene_.node(id);
-        if (!occupied_.has_primitives(node)) return;
+        if (!occupied_.has_something(node)) return;
         placement.visible = placement.visible && node.visible;
         placement.casts_shadow = placement.casts_shadow && node.casts_shadow;
         // materials[0] of the world is the default; the scene's follow.
@@ -142,7 +162,7 @@ class Walk {
             placement.world_from_object =
                 scene_.transforms[node.transform_id.index()].then(placement.world_from_object);
             if (!is_invertible(placement.world_from_object)) {
-                ++singular_count_;
+                ++refused_count_;
                 diagnostics_.error(Code::E0310, node.span,
                                    "the transform of this node cannot be inverted");
                 return;
@@ -151,17 +171,55 @@ class Walk {
         }
         if (node.kind == NodeKind::group || node.kind == NodeKind::instance) {
             stack_.push_back({id, 0, placement});
+        } else if (node.kind == NodeKind::light) {
+            place(id, node, placement);
         } else {
             placer_.place(id, placement);
         }
     }
 
+    void place(NodeId id, const Node& node, const Placement& placement) {
+        const Light& light = scene_.lights[node.index];
+        if (std::holds_alternative<EnvironmentLight>(light.shape)) {
+            if (!environment_.is_nowhere()) {
+                Diagnostic& second =
+                    refuse(Code::E0405, node, "a second `environment`; a scene has one");
+                if (environment_ != node.span) {  // the same one may be placed twice
+                    second.with_label(environment_, "the first one is here");
+                }
+                return;
+            }
+            environment_ = node.span;
+        }
+        const auto placed = place_light(light, placement.world_from_object);
+        if (const LightProblem* problem = std::get_if<LightProblem>(&placed)) {
+            if (*problem == LightProblem::no_area) {
+                refuse(Code::E0310, node, "what is above this light leaves it no area");
+            } else {
+                refuse(Code::E0304, node,
+                       fmt::format("this light is farther from the origin than {}, which the "
+                                   "world does not hold",
+                                   kMaxCoordinate));
+            }
+            return;
+        }
+        world_.lights.push_back(
+            {std::get<Light>(placed), id, placement.visible, node.casts_shadow});
+    }
+
+    Diagnostic& refuse(Code code, const Node& node, std::string message) {
+        ++refused_count_;
+        return diagnostics_.error(code, node.span, std::move(message));
+    }
+
     const Scene& scene_;
     const Occupied& occupied_;
     Placer& placer_;
+    World& world_;
     Diagnostics& diagnostics_;
     std::vector<Step> stack_;
-    std::size_t singular_count_ = 0;
+    Span environment_{};  // the first one
+    std::size_t refused_count_ = 0;
 };
 
 }  // namespace
@@ -176,9 +234,11 @@ std::optional<World> flatten(const Scene& scene, const FlattenLimits& limits,
     world->materials.reserve(scene.materials.size() + 1);
     world->materials.emplace_back();
     world->materials.insert(world->materials.end(), scene.materials.begin(), scene.materials.end());
+    world->textures = scene.textures;
+    world->pictures = scene.pictures;
     reserve(*world, plan.counts);
     Placer placer(scene, *world, diagnostics);
-    if (!Walk(scene, plan.occupied, placer, diagnostics).run()) return std::nullopt;
+    if (!Walk(scene, plan.occupied, placer, *world, diagnostics).run()) return std::nullopt;
     placer.finish();
     return world;
 }

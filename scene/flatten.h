@@ -12,14 +12,16 @@ namespace lray::scene {
 
 struct FlattenLimits {
     std::uint64_t primitives = 50'000'000;  // --max-primitives
+    std::uint64_t lights = 100'000;         // --max-lights, those of instances counted each
 };
 
-/// Returns the world-space primitives of everything under the scene's root, in the order of the
-/// graph. A sphere under a similarity stays a sphere; other quadrics carry their inverse map.
-/// Shapes and faces without area are dropped with a warning (W1201, W1702).
-/// Errors: empty when something cannot be placed: a singular or overflowing transform (E0310),
-/// coordinates or sizes that the world does not hold (E0304, placer.h), or more primitives than
-/// the limit (E0513), which is found before anything is made.
+/// Returns the world-space primitives and lights of everything under the scene's root, in the order
+/// of the graph. A sphere under a similarity stays a sphere; other quadrics carry their inverse
+/// map. Shapes and faces without area are dropped with a warning (W1201, W1702). Errors: empty when
+/// something cannot be placed: a singular or overflowing transform (E0310), coordinates or sizes
+/// that the world does not hold (E0304, placer.h), or more primitives or lights than the limit
+/// (E0513), which is found before anything is made, or a second environment (E0405). The pictures
+/// of textures are not copied: the scene has to outlive the world.
 std::optional<World> flatten(const Scene& scene, const FlattenLimits& limits,
                              Diagnostics& diagnostics);
 

@@ -47,6 +47,7 @@ struct PerInnerNode {
 
 /// Primitives that one placement of a shape or mesh makes.
 std::uint64_t primitives_of(const Scene& scene, const Node& node) {
+    if (node.kind == NodeKind::light) return 0;
     if (node.kind != NodeKind::mesh) return 1;
     std::uint64_t count = 0;
     for (const TriangleRange range : triangles_of(scene, scene.mesh_uses[node.index])) {
@@ -56,7 +57,7 @@ std::uint64_t primitives_of(const Scene& scene, const Node& node) {
 }
 
 /// Returns the groups and instances under the root, each after all that is below it, and marks
-/// those that lead to a primitive.
+/// those that lead to a primitive or light.
 std::vector<NodeId> order_below_first(const Scene& scene, Occupied& occupied) {
     struct Step {
         NodeId id{};
@@ -70,7 +71,7 @@ std::vector<NodeId> order_below_first(const Scene& scene, Occupied& occupied) {
         Step& step = stack.back();
         const Node& node = scene.node(step.id);
         const auto children = children_of(scene, node);
-        bool is_occupied = occupied.has_primitives(node);
+        bool is_occupied = occupied.has_something(node);
         bool is_entered = false;
         while (step.next_child < children.size() && !is_entered) {
             const NodeId child_id = children[step.next_child];
@@ -82,8 +83,9 @@ std::vector<NodeId> order_below_first(const Scene& scene, Occupied& occupied) {
                 is_entered = true;
                 break;
             }
-            is_occupied = is_occupied || (is_inner(child) ? occupied.has_primitives(child)
-                                                          : primitives_of(scene, child) > 0);
+            is_occupied = is_occupied || (is_inner(child) ? occupied.has_something(child)
+                                                          : child.kind == NodeKind::light ||
+                                                                primitives_of(scene, child) > 0);
             ++step.next_child;
         }
         (node.kind == NodeKind::group ? occupied.groups : occupied.instances)[node.index] =
@@ -121,7 +123,7 @@ FlattenPlan plan_flatten(const Scene& scene) {
     FlattenCounts& counts = plan.counts;
     for (auto id = order.rbegin(); id != order.rend(); ++id) {
         const Node& node = scene.node(*id);
-        if (!plan.occupied.has_primitives(node)) continue;
+        if (!plan.occupied.has_something(node)) continue;
         const std::uint64_t paths = path_counts[node];
         counts.visits = saturating_add(counts.visits, paths);
         for (const NodeId child_id : children_of(scene, node)) {

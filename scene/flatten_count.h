@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,20 +12,20 @@ namespace lray::scene {
 
 /// Counts saturate at 2^64 - 1.
 struct FlattenCounts {
-    std::array<std::uint64_t, 11> shapes{};  // by NodeKind: placements of shapes and meshes
+    std::array<std::uint64_t, kNodeKindCount> shapes{};  // by NodeKind: placements of each
     std::uint64_t mesh_triangles = 0;
     std::uint64_t primitives = 0;
-    std::uint64_t visits = 0;  // nodes entered by a walk over every path that leads to a primitive
+    std::uint64_t visits = 0;  // nodes entered by a walk over every path that leads to something
 
     std::uint64_t shapes_of(NodeKind kind) const { return shapes[static_cast<std::size_t>(kind)]; }
 };
 
-/// Which groups and instances lead to a primitive: a walk need not enter the others.
+/// Which groups and instances lead to a primitive or light: a walk need not enter the others.
 struct Occupied {
     std::vector<bool> groups{};     // by Node::index
     std::vector<bool> instances{};  // likewise
 
-    bool has_primitives(const Node& node) const {
+    bool has_something(const Node& node) const {
         if (node.kind == NodeKind::group) return groups[node.index];
         if (node.kind == NodeKind::instance) return instances[node.index];
         return true;

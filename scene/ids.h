@@ -10,6 +10,8 @@ using MaterialId = Id<struct MaterialTag>;
 using TransformId = Id<struct TransformTag>;
 using LabelId = Id<struct LabelTag>;
 using MeshId = Id<struct MeshTag>;
+using TextureId = Id<struct TextureTag>;
+using PictureId = Id<struct PictureTag>;
 using ObjectId = Id<struct ObjectTag>;
 
 }  // namespace lray::scene

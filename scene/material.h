@@ -1,30 +1,55 @@
-// Materials: the coefficients of the reflection models. Textures take the place of constants
-// elsewhere. Defaults are those of the language.
+// Materials: the coefficients of the reflection models, each a constant or a texture. Defaults are
+// those of the language.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "base/vec.h"
+#include "scene/ids.h"
 
 namespace lray::scene {
 
 enum class ReflectionModel : std::uint8_t { lambert, phong, blinn_phong, cook_torrance, ward };
 
+/// A value of a material that a texture may take the place of.
+template <class T>
+struct CoefficientOf {
+    T constant{};            // of a texture its average: what flat painting shows
+    TextureId texture_id{};  // none: constant
+
+    constexpr CoefficientOf() = default;
+    constexpr CoefficientOf(T value, TextureId texture = {})
+        : constant(value), texture_id(texture) {}
+
+    constexpr bool is_textured() const { return !texture_id.is_none(); }
+    friend constexpr bool operator==(const CoefficientOf& a, const CoefficientOf& b) {
+        return a.constant == b.constant && a.texture_id == b.texture_id;
+    }
+};
+
+using Coefficient = CoefficientOf<Color>;
+/// Of a texture the mean of red, green and blue.
+using ScalarCoefficient = CoefficientOf<float>;
+/// Likewise, for both numbers.
+using PlanarCoefficient = CoefficientOf<Vec2>;
+
 struct Material {
     ReflectionModel model = ReflectionModel::blinn_phong;
-    std::optional<Color> ambient{};  // empty: as diffuse
-    Color diffuse{0.8f};
-    std::optional<Color> specular{};  // empty: 0.2; 1 for cook_torrance and ward
-    float shininess = 32.0f;
-    Vec2 roughness{0.3f};  // along u and v; the same unless ward is given two
-    Color fresnel{0.04f};
-    Color reflect{0.0f};
-    Color transmit{0.0f};
+    std::optional<Coefficient> ambient{};  // empty: as diffuse
+    Coefficient diffuse{Color{0.8f}};
+    std::optional<Coefficient> specular{};  // empty: 0.2; 1 for cook_torrance and ward
+    ScalarCoefficient shininess{32.0f};
+    PlanarCoefficient roughness{Vec2{0.3f}};  // along u and v; the same unless ward is given two
+    Coefficient fresnel{Color{0.04f}};
+    Coefficient reflect{Color{0.0f}};
+    Coefficient transmit{Color{0.0f}};
     float ior = 1.5f;
-    Color absorption{0.0f};  // per metre
-    Color emission{0.0f};
-    float opacity = 1.0f;
+    Coefficient absorption{Color{0.0f}};  // per metre
+    Coefficient emission{Color{0.0f}};
+    ScalarCoefficient opacity{1.0f};
+    TextureId bump_id{};        // height in metres along the normal; none: smooth
+    TextureId normal_map_id{};  // tangent-space normals coded as 0 to 1; none: the shape's own
     bool two_sided = true;
 };
 

@@ -38,6 +38,8 @@ std::string_view name_of(NodeKind kind) {
             return "mesh";
         case NodeKind::instance:
             return "instance";
+        case NodeKind::light:
+            return "light";
     }
     LRAY_ASSERT(false);
 }
@@ -112,6 +114,7 @@ void Placer::place(NodeId node_id, const Placement& placement) {
             return place_mesh(node, placement);
         case NodeKind::group:
         case NodeKind::instance:
+        case NodeKind::light:
             break;
     }
     LRAY_ASSERT(false);

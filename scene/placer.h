@@ -38,7 +38,7 @@ class Placer {
     Placer(const Scene& scene, World& world, Diagnostics& diagnostics)
         : scene_(scene), world_(world), diagnostics_(diagnostics) {}
 
-    /// Adds the primitives of a shape or mesh; `node` is neither a group nor an instance.
+    /// Adds the primitives of a shape or mesh; `node` is no group, instance or light.
     void place(NodeId node_id, const Placement& placement);
 
     /// Makes triangle_normals and triangle_uvs as long as `triangles`. Call once, last.

@@ -2,7 +2,9 @@
 // It keeps what diagnostics, picking and the dump need; what is traced is scene/world.h.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,9 +13,11 @@
 #include "base/transform.h"
 #include "scene/camera.h"
 #include "scene/ids.h"
+#include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/shapes.h"
+#include "scene/texture.h"
 
 namespace lray::scene {
 
@@ -29,7 +33,9 @@ enum class NodeKind : std::uint8_t {
     torus,
     mesh,
     instance,
+    light,
 };
+inline constexpr std::size_t kNodeKindCount = static_cast<std::size_t>(NodeKind::light) + 1;
 
 /// One thing in the scene, 32 bytes: scenes of millions of literal shapes hold one for each.
 /// Nodes form a directed graph without cycles: a node value placed twice is one node with two
@@ -76,15 +82,19 @@ struct Scene {
     std::vector<TorusShape> tori{};
     std::vector<MeshUse> mesh_uses{};
     std::vector<Instance> instances{};
+    std::vector<Light> lights{};
 
     std::vector<TriangleAttributes> triangle_attributes{};
     std::vector<Mesh> meshes{};
     std::vector<Transform> transforms{};
     std::vector<Material> materials{};
+    std::vector<Texture> textures{};
+    std::vector<Picture> pictures{};
     std::vector<std::string> labels{};
 
     std::vector<Camera> cameras{};  // the first is the default
     RenderSettings render{};
+    std::optional<Animation> animation{};
     std::vector<std::pair<std::string, std::string>> info{};
 
     NodeId root{};  // a group

@@ -5,13 +5,16 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/bounds.h"
 #include "base/vec.h"
 #include "scene/ids.h"
+#include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
+#include "scene/texture.h"
 
 namespace lray::scene {
 
@@ -145,7 +148,10 @@ struct World {
 
     std::array<std::vector<ObjectId>, kPrimitiveKindCount> object_ids{};
     std::vector<Object> objects{};
-    std::vector<Material> materials{};  // the first is the default
+    std::vector<Material> materials{};    // the first is the default
+    std::vector<Texture> textures{};      // by TextureId
+    std::span<const Picture> pictures{};  // by PictureId; they stay with the Scene, which lives on
+    std::vector<WorldLight> lights{};     // in the order of the graph
 
     ObjectId object_of(PrimitiveId id) const {
         return object_ids[static_cast<std::size_t>(id.kind())][id.index()];

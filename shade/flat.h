@@ -7,7 +7,8 @@
 
 namespace lray::shade {
 
-/// Returns the diffuse colour of the object that was hit, or the background if none was.
+/// Returns the diffuse colour (of a texture its average) of the object that was hit, or the
+/// background if none was.
 Color flat(const scene::World& world, const bvh::Hit& hit, Color background);
 
 }  // namespace lray::shade

@@ -142,7 +142,7 @@ class HeightfieldBuilder {
                           fmt::format("`scale_y` is too large: {}", format_number(scale)));
         }
         const std::optional<image::Image> picture =
-            build_.files.picture(file.string(), file.source, span);
+            build_.files.heights(file.string(), file.source, span);
         if (!picture) return false;
         if (picture->width < 2 || picture->height < 2) {
             return refuse(Code::E0703, span,

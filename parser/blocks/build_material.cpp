@@ -25,9 +25,39 @@ static_assert(kModels[static_cast<std::size_t>(scene::ReflectionModel::cook_torr
               "cook_torrance");
 static_assert(kModels[static_cast<std::size_t>(scene::ReflectionModel::ward)] == "ward");
 
+/// Coefficients by their slot: what the value says, or the texture and its average.
+struct CoefficientReader {
+    const PropertyValues& values;
+    std::span<const scene::Texture> textures;
+
+    scene::Coefficient color(std::size_t slot) const {
+        const scene::TextureId id = values.texture(slot);
+        if (id.is_none()) return values.color(slot);
+        return {textures[id.index()].average, id};
+    }
+    scene::ScalarCoefficient scalar(std::size_t slot) const {
+        const scene::TextureId id = values.texture(slot);
+        if (id.is_none()) return static_cast<float>(values.number(slot));
+        return {average(id), id};
+    }
+    scene::PlanarCoefficient planar(std::size_t slot) const {
+        const scene::TextureId id = values.texture(slot);
+        if (id.is_none()) return Vec2{values.vec2(slot)};
+        return {Vec2{average(id)}, id};
+    }
+
+ private:
+    float average(scene::TextureId id) const {
+        const Color color = textures[id.index()].average;
+        return (color.x + color.y + color.z) / 3.0f;
+    }
+};
+
 }  // namespace
 
-scene::Material build_material(const PropertyValues& values, Span span, Diagnostics& diagnostics) {
+scene::Material build_material(const PropertyValues& values,
+                               std::span<const scene::Texture> textures, Span span,
+                               Diagnostics& diagnostics) {
     constexpr std::size_t kModel = slot(kMaterial, "model");
     constexpr std::size_t kAmbient = slot(kMaterial, "ambient");
     constexpr std::size_t kDiffuse = slot(kMaterial, "diffuse");
@@ -41,26 +71,34 @@ scene::Material build_material(const PropertyValues& values, Span span, Diagnost
     constexpr std::size_t kAbsorption = slot(kMaterial, "absorption");
     constexpr std::size_t kEmission = slot(kMaterial, "emission");
     constexpr std::size_t kOpacity = slot(kMaterial, "opacity");
+    constexpr std::size_t kBump = slot(kMaterial, "bump");
+    constexpr std::size_t kNormalMap = slot(kMaterial, "normal_map");
     constexpr std::size_t kTwoSided = slot(kMaterial, "two_sided");
     scene::Material material;
     material.model = model_of(values.string(kModel, "blinn_phong"));
-    material.ambient = values.optional_color(kAmbient);
-    material.diffuse = values.color(kDiffuse);
-    material.specular = values.optional_color(kSpecular);
-    material.shininess = static_cast<float>(values.number(kShininess));
-    material.roughness = Vec2{values.vec2(kRoughness)};
-    material.fresnel = values.color(kFresnel);
-    material.reflect = values.color(kReflect);
-    material.transmit = values.color(kTransmit);
+    const CoefficientReader read{values, textures};
+    if (values.has(kAmbient)) material.ambient = read.color(kAmbient);
+    material.diffuse = read.color(kDiffuse);
+    if (values.has(kSpecular)) material.specular = read.color(kSpecular);
+    material.shininess = read.scalar(kShininess);
+    material.roughness = read.planar(kRoughness);
+    material.fresnel = read.color(kFresnel);
+    material.reflect = read.color(kReflect);
+    material.transmit = read.color(kTransmit);
     material.ior = static_cast<float>(values.number(kIor));
-    material.absorption = values.color(kAbsorption);
-    material.emission = values.color(kEmission);
-    material.opacity = static_cast<float>(values.number(kOpacity));
+    material.absorption = read.color(kAbsorption);
+    material.emission = read.color(kEmission);
+    material.opacity = read.scalar(kOpacity);
+    material.bump_id = values.texture(kBump);
+    material.normal_map_id = values.texture(kNormalMap);
     material.two_sided = values.boolean(kTwoSided);
 
-    // Only what the author wrote together is judged: the default diffuse is no claim.
-    if (values.has(kDiffuse)) {
-        const Color total = material.diffuse + material.reflect + material.transmit;
+    // Only constants that the author wrote together are judged: the default diffuse is no claim.
+    const bool is_constant = !material.diffuse.is_textured() && !material.reflect.is_textured() &&
+                             !material.transmit.is_textured();
+    if (values.has(kDiffuse) && is_constant) {
+        const Color total =
+            material.diffuse.constant + material.reflect.constant + material.transmit.constant;
         const float most = std::max({total.x, total.y, total.z});
         constexpr float kTolerance = 1e-6f;  // 0.9 + 0.1 in floats
         const bool is_several = values.has(kReflect) || values.has(kTransmit);

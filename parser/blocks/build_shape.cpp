@@ -28,23 +28,10 @@ DMat3 frame_of(DVec3 normal) {
                  DVec3{-normal.x * normal.z * k, -normal.z, 1.0 - normal.z * normal.z * k}};
 }
 
-/// Unit, whatever the magnitude of a direction that is not 0.
-DVec3 unit(DVec3 direction) {
-    const double largest =
-        std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
-    return glm::normalize(direction / largest);
-}
-
 template <class T>
 std::uint32_t add(std::vector<T>& shapes, T shape) {
     shapes.push_back(std::move(shape));
     return static_cast<std::uint32_t>(shapes.size() - 1);
-}
-
-/// True if the vectors are parallel as far as doubles can tell: their cross product is not larger
-/// than its own rounding error, gamma(3) |u| |v| per component.
-bool are_parallel(DVec3 u, DVec3 v) {
-    return glm::length(cross(u, v)) <= 2.0 * gamma<double>(3) * glm::length(u) * glm::length(v);
 }
 
 scene::SphereShape sphere_shape(const PropertyValues& values) {
@@ -70,13 +57,7 @@ scene::RectangleShape rectangle_shape(const PropertyValues& values, Span span,
         }
         return shape;
     }
-    const DVec2 size = values.vec2(kSize);
-    const DMat3 frame = frame_of(unit(values.vec3(kNormal)));
-    scene::RectangleShape shape;
-    shape.edge_u = frame[0] * size.x;
-    shape.edge_v = -frame[2] * size.y;
-    shape.corner = values.vec3(kCenter) - 0.5 * shape.edge_u - 0.5 * shape.edge_v;
-    return shape;
+    return facing_rectangle(values.vec3(kCenter), values.vec2(kSize), values.vec3(kNormal));
 }
 
 std::optional<scene::TriangleShape> triangle_shape(const PropertyValues& values, Span span,
@@ -193,6 +174,26 @@ std::optional<ShapeRef> place(scene::NodeKind kind, std::vector<T>& shapes,
 
 }  // namespace
 
+DVec3 unit(DVec3 direction) {
+    const double largest =
+        std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+    return glm::normalize(direction / largest);
+}
+
+// Their cross product is not larger than its own rounding error, gamma(3) |u| |v| per component.
+bool are_parallel(DVec3 u, DVec3 v) {
+    return glm::length(cross(u, v)) <= 2.0 * gamma<double>(3) * glm::length(u) * glm::length(v);
+}
+
+scene::RectangleShape facing_rectangle(DVec3 center, DVec2 size, DVec3 normal) {
+    const DMat3 frame = frame_of(unit(normal));
+    scene::RectangleShape shape;
+    shape.edge_u = frame[0] * size.x;
+    shape.edge_v = -frame[2] * size.y;
+    shape.corner = center - 0.5 * shape.edge_u - 0.5 * shape.edge_v;
+    return shape;
+}
+
 std::optional<ShapeRef> build_shape(const BlockSchema& schema, const PropertyValues& values,
                                     Span span, scene::Scene& scene, Diagnostics& diagnostics) {
     using scene::NodeKind;
@@ -232,6 +233,20 @@ std::optional<ShapeRef> build_shape(const BlockSchema& schema, const PropertyVal
         case BlockKind::camera:
         case BlockKind::render:
         case BlockKind::info:
+        case BlockKind::image:
+        case BlockKind::checker:
+        case BlockKind::stripes:
+        case BlockKind::gradient:
+        case BlockKind::ramp:
+        case BlockKind::noise_texture:
+        case BlockKind::marble:
+        case BlockKind::wood:
+        case BlockKind::point_light:
+        case BlockKind::spot_light:
+        case BlockKind::directional_light:
+        case BlockKind::area_light:
+        case BlockKind::environment:
+        case BlockKind::animation:
         case BlockKind::record:
         case BlockKind::component:
             break;

@@ -14,6 +14,15 @@ namespace {
 
 using namespace schemas;
 
+static_assert(kProjections[static_cast<std::size_t>(scene::Projection::orthographic)] ==
+              "orthographic");
+static_assert(kProjections[static_cast<std::size_t>(scene::Projection::panorama)] == "panorama");
+static_assert(kToneMaps[static_cast<std::size_t>(scene::ToneMap::reinhard)] == "reinhard");
+static_assert(kToneMaps[static_cast<std::size_t>(scene::ToneMap::aces)] == "aces");
+static_assert(kGammas[static_cast<std::size_t>(scene::Gamma::linear)] == "linear");
+static_assert(kIntegrators[static_cast<std::size_t>(scene::Integrator::path)] == "path");
+static_assert(kSamplers[static_cast<std::size_t>(scene::SamplerKind::random)] == "random");
+
 scene::Resolution resolution_of(DVec2 size) {
     return {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
 }
@@ -38,9 +47,8 @@ std::optional<scene::Camera> build_camera(const PropertyValues& values, std::str
     camera.fov = radians(values.number(kFov));
     camera.height = values.number(kHeight);
     camera.span = span;
-    if (values.string(kProjection, "perspective") == "orthographic") {
-        camera.projection = scene::Projection::orthographic;
-    }
+    camera.projection = values.option<scene::Projection>(kProjection);
+    camera.aperture = values.number(slot(kCamera, "aperture"));
     if (values.has(kResolution)) camera.resolution = resolution_of(values.vec2(kResolution));
     camera.background = values.optional_color(kBackground);
 
@@ -61,13 +69,36 @@ std::optional<scene::Camera> build_camera(const PropertyValues& values, std::str
                                        : "to look straight down, add `up: [0, 0, -1]`");
         return std::nullopt;
     }
+    constexpr std::size_t kFocus = slot(kCamera, "focus");
+    if (values[kFocus].is(ValueKind::number)) {
+        camera.focus = values.number(kFocus);
+    } else if (values.has(kFocus)) {  // how far the plane through the point is
+        const double distance =
+            dot(values.vec3(kFocus) - camera.position, forward / glm::length(forward));
+        if (!(distance > 0.0)) {
+            diagnostics.error(Code::E0304, span, "`focus` must be in front of the camera");
+            return std::nullopt;
+        }
+        camera.focus = distance;
+    }
     return camera;
 }
 
 scene::RenderSettings build_render_settings(const PropertyValues& values) {
-    constexpr std::size_t kResolution = slot(kRender, "resolution");
-    constexpr std::size_t kBackground = slot(kRender, "background");
-    return {resolution_of(values.vec2(kResolution)), values.color(kBackground)};
+    scene::RenderSettings settings;
+    settings.resolution = resolution_of(values.vec2(slot(kRender, "resolution")));
+    settings.samples = values.integer(slot(kRender, "samples"));
+    settings.max_depth = values.integer(slot(kRender, "max_depth"));
+    settings.background = values.color(slot(kRender, "background"));
+    settings.ambient = values.color(slot(kRender, "ambient"));
+    settings.exposure = values.number(slot(kRender, "exposure"));
+    settings.tonemap = values.option<scene::ToneMap>(slot(kRender, "tonemap"));
+    settings.gamma = values.option<scene::Gamma>(slot(kRender, "gamma"));
+    settings.seed = static_cast<std::uint64_t>(values.number(slot(kRender, "seed")));
+    settings.integrator = values.option<scene::Integrator>(slot(kRender, "integrator"));
+    settings.sampler = values.option<scene::SamplerKind>(slot(kRender, "sampler"));
+    settings.transparent_shadows = values.boolean(slot(kRender, "transparent_shadows"));
+    return settings;
 }
 
 }  // namespace lray::parser

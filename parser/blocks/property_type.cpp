@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "parser/blocks/stops.h"
 #include "parser/values/operators.h"
 
 namespace lray::parser {
@@ -77,6 +79,8 @@ class Fitting {
     Value transform();
     Value rows(std::uint8_t width, std::string_view wanted, bool is_whole_wanted);
     Value height_rows();
+    Value stops();
+    Value focus();
     Value ranged(const Value& value);
 
     const PropertySchema& property_;
@@ -140,7 +144,7 @@ Value Fitting::color() {
             return error(Code::E0303, fmt::format("`{}` needs 3 numbers, this has {}",
                                                   property_.name, value_.count));
         }
-        return wrong_type("a colour");
+        return wrong_type(property_.takes_texture ? "a colour or a texture" : "a colour");
     }
     const std::span<const double> numbers = numbers_of(value_);
     const bool looks_like_bytes =
@@ -247,7 +251,51 @@ Value Fitting::height_rows() {
                  fmt::format("`{}` needs 2 rows of 2 numbers or more", property_.name));
 }
 
+// [[0, black], [0.5, 0.2], [1, [0, 0, 1]]]; how a stop is read is in stops.h.
+Value Fitting::stops() {
+    constexpr std::string_view kWanted = "a list of stops, like [[0, black], [1, white]]";
+    const bool is_list = value_.is(ValueKind::list) || value_.is(ValueKind::rows);
+    if (!is_list) return wrong_type(kWanted);
+    if (value_.count < 2 || value_.count > kMaxStops) {
+        return error(Code::E0303, fmt::format("`{}` needs 2 to {} stops, this has {}",
+                                              property_.name, kMaxStops, value_.count));
+    }
+    double last = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < value_.count; ++i) {
+        const Value stop = element(value_, i);
+        if (stop.is(ValueKind::poison)) return stop;
+        const std::optional<scene::ColorStop> read = read_stop(stop);
+        if (!read) {
+            return error(Code::E0301, fmt::format("`{}` needs stops of a place and a colour, like "
+                                                  "[0.5, white]; stop {} is {}",
+                                                  property_.name, i, describe(stop)));
+        }
+        if (!property_.range.contains(read->at)) return out_of_range(read->at);
+        if (read->at < last) {
+            return error(Code::E0304, fmt::format("`{}` must be in order; stop {} is at {}, behind "
+                                                  "{}",
+                                                  property_.name, i, format_number(read->at),
+                                                  format_number(last)));
+        }
+        if (read->color.x < 0.0f || read->color.y < 0.0f || read->color.z < 0.0f) {
+            return error(Code::E0304,
+                         fmt::format("the colours of `{}` must be 0 or greater; that of stop {} "
+                                     "is not",
+                                     property_.name, i));
+        }
+        last = read->at;
+    }
+    return value_;
+}
+
+Value Fitting::focus() {
+    if (value_.is(ValueKind::number)) return ranged(value_);
+    if (value_.is_vector(3)) return value_;
+    return vector(3, "a distance or a point");  // says what is wrong with it
+}
+
 Value Fitting::fit() {
+    if (property_.takes_texture && value_.is(ValueKind::texture)) return value_;
     switch (property_.type) {
         case PropertyType::number:
         case PropertyType::angle:
@@ -296,7 +344,10 @@ Value Fitting::fit() {
             return fitted;
         }
         case PropertyType::file:
-            return value_.is(ValueKind::string) ? value_ : wrong_type("a file name");
+            return value_.is(ValueKind::string)
+                       ? value_
+                       : wrong_type(property_.takes_texture ? "a file name or a texture"
+                                                            : "a file name");
         case PropertyType::points:
             return rows(3, "a list of points, like [[0, 0, 0], [1, 0, 0]]", false);
         case PropertyType::uvs:
@@ -309,6 +360,12 @@ Value Fitting::fit() {
             return value_.is(ValueKind::function) ? value_ : wrong_type("a function");
         case PropertyType::height_rows:
             return height_rows();
+        case PropertyType::texture:
+            return value_.is(ValueKind::texture) ? value_ : wrong_type("a texture");
+        case PropertyType::stops:
+            return stops();
+        case PropertyType::focus:
+            return focus();
     }
     LRAY_ASSERT(false);
 }

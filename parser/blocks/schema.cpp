@@ -25,27 +25,79 @@ constexpr bool kinds_are_in_order() {
 }
 static_assert(kinds_are_in_order());
 
-constexpr std::array<Habit, 33> kPropertyHabits = {{
-    {"color", "diffuse"},      {"colour", "diffuse"},
-    {"pigment", "diffuse"},    {"albedo", "diffuse"},
-    {"pos", "position"},       {"location", "position"},
-    {"eye", "position"},       {"origin", "position"},
-    {"target", "look_at"},     {"lookat", "look_at"},
-    {"r", "radius"},           {"rad", "radius"},
-    {"diameter", "radius"},    {"c", "center"},
-    {"centre", "center"},      {"rotation", "rotate"},
-    {"rotateX", "rotate_x"},   {"rotateY", "rotate_y"},
-    {"rotateZ", "rotate_z"},   {"translation", "translate"},
-    {"move", "translate"},     {"height", "to"},
-    {"src", "file"},           {"filename", "file"},
-    {"path", "file"},          {"vertices", "positions"},
-    {"faces", "triangles"},    {"indices", "triangles"},
-    {"texcoords", "uvs"},      {"phong_size", "shininess"},
-    {"reflection", "reflect"}, {"size", "resolution"},
+constexpr std::array<Habit, 66> kPropertyHabits = {{
+    {"color", "diffuse"},
+    {"colour", "diffuse"},
+    {"pigment", "diffuse"},
+    {"albedo", "diffuse"},
+    {"pos", "position"},
+    {"location", "position"},
+    {"eye", "position"},
+    {"origin", "position"},
+    {"target", "look_at"},
+    {"lookat", "look_at"},
+    {"r", "radius"},
+    {"rad", "radius"},
+    {"diameter", "radius"},
+    {"c", "center"},
+    {"centre", "center"},
+    {"rotation", "rotate"},
+    {"rotateX", "rotate_x"},
+    {"rotateY", "rotate_y"},
+    {"rotateZ", "rotate_z"},
+    {"translation", "translate"},
+    {"move", "translate"},
+    {"height", "to"},
+    {"src", "file"},
+    {"filename", "file"},
+    {"path", "file"},
+    {"vertices", "positions"},
+    {"faces", "triangles"},
+    {"indices", "triangles"},
+    {"texcoords", "uvs"},
+    {"phong_size", "shininess"},
+    {"reflection", "reflect"},
+    {"size", "resolution"},
     {"angle", "fov"},
+    {"colour", "color"},
+    {"power", "intensity"},
+    {"brightness", "intensity"},
+    {"strength", "intensity"},
+    {"energy", "intensity"},
+    {"watts", "intensity"},
+    {"emit", "emission"},
+    {"emissive", "emission"},
+    {"transparency", "transmit"},
+    {"transmission", "transmit"},
+    {"refraction_index", "ior"},
+    {"metalness", "fresnel"},
+    {"alpha", "opacity"},
+    {"bump_map", "bump"},
+    {"normalmap", "normal_map"},
+    {"cone_angle", "angle"},
+    {"cutoff", "angle"},
+    {"blend", "softness"},
+    {"point_at", "target"},
+    {"shadow", "casts_shadow"},
+    {"shadows", "casts_shadow"},
+    {"dir", "direction"},
+    {"color1", "a"},
+    {"color2", "b"},
+    {"map", "image"},
+    {"fstop", "aperture"},
+    {"focal_point", "focus"},
+    {"focus_distance", "focus"},
+    {"focal_distance", "focus"},
+    {"spp", "samples"},
+    {"depth", "max_depth"},
+    {"max_bounces", "max_depth"},
+    {"tone_mapping", "tonemap"},
 }};
 
-constexpr std::array<Habit, 12> kBlockHabits = {{
+constexpr std::array<Habit, 31> kBlockHabits = {{
+    {"light", "point_light`, `spot_light`, `directional_light` or `area_light"},
+    {"texture",
+     "image`, `checker`, `stripes`, `gradient`, `ramp`, `noise_texture`, `marble` or `wood"},
     {"quad", "rectangle"},
     {"square", "rectangle"},
     {"ball", "sphere"},
@@ -57,6 +109,23 @@ constexpr std::array<Habit, 12> kBlockHabits = {{
     {"obj", "mesh"},
     {"view", "camera"},
     {"settings", "render"},
+    {"finish", "material"},
+    {"pointlight", "point_light"},
+    {"bulb", "point_light"},
+    {"spotlight", "spot_light"},
+    {"spot", "spot_light"},
+    {"sun", "directional_light"},
+    {"distant_light", "directional_light"},
+    {"arealight", "area_light"},
+    {"rect_light", "area_light"},
+    {"sky", "environment"},
+    {"skybox", "environment"},
+    {"sky_sphere", "environment"},
+    {"background", "environment"},
+    {"image_map", "image"},
+    {"checkerboard", "checker"},
+    {"struct", "record"},
+    {"dict", "record"},
     {"pigment", "material"},
 }};
 
@@ -66,25 +135,11 @@ struct FutureProperty {
     std::string_view name{};
 };
 
-constexpr std::array<FutureProperty, 18> kPropertiesNotYet = {{
-    {BlockKind::render, "samples"},
-    {BlockKind::render, "max_depth"},
-    {BlockKind::render, "ambient"},
-    {BlockKind::render, "exposure"},
-    {BlockKind::render, "tonemap"},
-    {BlockKind::render, "gamma"},
-    {BlockKind::render, "seed"},
-    {BlockKind::render, "integrator"},
-    {BlockKind::render, "sampler"},
-    {BlockKind::render, "transparent_shadows"},
-    {BlockKind::camera, "aperture"},
-    {BlockKind::camera, "focus"},
+constexpr std::array<FutureProperty, 4> kPropertiesNotYet = {{
     {BlockKind::camera, "samples"},
     {BlockKind::camera, "exposure"},
     {BlockKind::mesh, "smooth"},
     {BlockKind::mesh, "use_mtl"},
-    {BlockKind::material, "bump"},
-    {BlockKind::material, "normal_map"},
 }};
 
 // clang-format off
@@ -126,7 +181,13 @@ const BlockSchema* find_block(std::string_view name) {
     return nullptr;
 }
 
-std::string_view property_habit(std::string_view name) {
+std::string_view property_habit(std::string_view name, const BlockSchema& schema) {
+    for (const Habit& habit : kPropertyHabits) {
+        const std::span<const PropertySchema> properties = schema.properties;
+        if (habit.name == name && find_property(properties, habit.ours) < properties.size()) {
+            return habit.ours;
+        }
+    }
     return find_habit(kPropertyHabits, name);
 }
 

@@ -38,7 +38,10 @@ enum class PropertyType : std::uint8_t {
     index_triples,  // rows of three whole numbers
     any,            // parameters of components
     function,       // a function
-    height_rows     // two or more rows of numbers, all of one width
+    height_rows,    // two or more rows of numbers, all of one width
+    texture,        // a texture
+    stops,          // pairs of a place and a colour, the places in order
+    focus           // a distance or a point
 };
 
 /// Bounds of a number, or of each number of a vector.
@@ -73,12 +76,19 @@ struct PropertySchema {
     bool is_required = false;               // in its form
     Form form = Form::any;
     std::span<const std::string_view> options{};
+    bool takes_texture = false;  // in the place of a value of its type
 };
 
 /// True for a property that a block of a form (any: of none yet, so of its first) must have.
 constexpr bool is_needed(const PropertySchema& property, Form form) {
     const Form meant = form == Form::any ? Form::first : form;
     return property.is_required && (property.form == Form::any || property.form == meant);
+}
+
+/// The property, which takes a texture as well.
+constexpr PropertySchema or_texture(PropertySchema property) {
+    property.takes_texture = true;
+    return property;
 }
 
 enum class BlockKind : std::uint8_t {
@@ -98,10 +108,35 @@ enum class BlockKind : std::uint8_t {
     camera,
     render,
     info,
+    image,
+    checker,
+    stripes,
+    gradient,
+    ramp,
+    noise_texture,
+    marble,
+    wood,
+    point_light,
+    spot_light,
+    directional_light,
+    area_light,
+    environment,
+    animation,
     record,
     component,  // of the scene; has no table of its own
 };
 inline constexpr std::size_t kBlockKindCount = static_cast<std::size_t>(BlockKind::component);
+
+constexpr bool is_texture(BlockKind kind) {
+    return kind >= BlockKind::image && kind <= BlockKind::wood;
+}
+constexpr bool is_light(BlockKind kind) {
+    return kind >= BlockKind::point_light && kind <= BlockKind::environment;
+}
+/// A value of its own kind, which is used and cannot be placed.
+constexpr bool is_surface(BlockKind kind) {
+    return kind == BlockKind::material || is_texture(kind);
+}
 
 /// The most properties a block has: the size of the evaluator's slot array.
 inline constexpr std::size_t kMaxProperties = 32;
@@ -112,8 +147,7 @@ struct BlockSchema {
     std::string_view doc{};
     std::span<const PropertySchema> properties{};
 
-    /// A shape or a group: takes transform steps, `material`, `visible`, `casts_shadow`.
-    bool is_placeable = false;
+    bool is_placeable = false;  // a shape, a group or a light
     bool has_children = false;
     bool takes_any_string = false;  // `info`: any name, a string each
     bool takes_any_value = false;   // `record`: any name, any value
@@ -139,6 +173,21 @@ inline constexpr std::size_t kCommonPropertyCount = 12;
 
 constexpr bool is_transform_step(CommonProperty property) {
     return property <= CommonProperty::look_at;
+}
+
+/// True for the common properties that a block has: shapes and groups all of them, lights no
+/// material, and only those that shine one way `look_at`, textures the transform steps.
+constexpr bool takes(const BlockSchema& schema, CommonProperty property) {
+    if (is_texture(schema.kind)) {
+        return is_transform_step(property) && property != CommonProperty::look_at;
+    }
+    if (is_light(schema.kind)) {
+        const bool has_direction =
+            schema.kind == BlockKind::spot_light || schema.kind == BlockKind::directional_light;
+        return property != CommonProperty::material &&
+               (property != CommonProperty::look_at || has_direction);
+    }
+    return schema.is_placeable;
 }
 
 /// Shape: in the order of CommonProperty.
@@ -167,11 +216,12 @@ constexpr std::size_t find_property(std::span<const PropertySchema> properties,
     return slot;
 }
 
-/// Returns what other tools' users mean by a property name (`color` -> `diffuse`); empty if
-/// nothing is known.
-std::string_view property_habit(std::string_view name);
+/// Returns what other tools' users mean by a property name (`color` -> `diffuse`), one of the
+/// block's own properties first; empty if nothing is known.
+std::string_view property_habit(std::string_view name, const BlockSchema& schema);
 
-/// Returns what a block name from other tools is called here; empty if nothing is known.
+/// Returns what a block name from other tools is called here, to stand between back quotes; empty
+/// if nothing is known.
 std::string_view block_habit(std::string_view name);
 
 /// True for a block or function of the language that this version does not have.

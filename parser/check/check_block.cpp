@@ -163,15 +163,16 @@ void BlockCheck::unknown_property(const PropertyItem& item, std::string_view nam
     }
     std::vector<std::string_view> names;
     for (const PropertySchema& property : schema_.properties) names.push_back(property.name);
-    if (schema_.is_placeable) {
-        for (const PropertySchema& property : common_properties()) names.push_back(property.name);
+    for (std::size_t i = 0; i < kCommonPropertyCount; ++i) {
+        const bool is_taken = takes(schema_, static_cast<CommonProperty>(i));
+        if (is_taken) names.push_back(common_properties()[i].name);
     }
     Diagnostic& diagnostic = error(Code::E0401, item.name_span,
                                    fmt::format("{} has no property `{}`", schema_.name, name));
-    const std::string_view habit = property_habit(name);
+    const std::string_view habit = property_habit(name, schema_);
     const bool habit_is_ours = !habit.empty() && find_place(schema_, habit).schema != nullptr;
     const bool is_surface =
-        !habit_is_ours && schema_.is_placeable &&
+        !habit_is_ours && takes(schema_, CommonProperty::material) &&
         (habit == "diffuse" || find_property(schemas::kMaterial, name) < schemas::kMaterial.size());
     if (habit_is_ours) {
         diagnostic.with_hint(fmt::format("here it is called `{}`", habit));
@@ -206,17 +207,21 @@ void BlockCheck::child(const BlockItem& item, bool is_certain) {
     if (child_head.kind == ExprKind::name) {
         const NameExpr& name = static_cast<const NameExpr&>(child_head);
         if (name.meaning == Meaning::unknown) return;
-        made = find_block(name.symbol);
+        if (name.meaning == Meaning::block) {
+            made = &block_schema(static_cast<BlockKind>(name.index));
+        }
     }
     if (made == nullptr) {  // a value: the evaluator knows what it is
         if (!schema_.has_children || use_ == BlockUse::instance) no_children(child_head.span);
         return;
     }
-    if (made->kind == BlockKind::material && schema_.is_placeable) {
+    if (made->kind == BlockKind::material && takes(schema_, CommonProperty::material)) {
         constexpr std::size_t kMaterial = static_cast<std::size_t>(CommonProperty::material);
         if (is_certain) set_once(set_common_[kMaterial], child_head.span, "material");
     } else if (!schema_.has_children || use_ == BlockUse::instance) {
         no_children(child_head.span);
+    } else if (is_texture(made->kind)) {
+        return;  // the checker says that it cannot be placed
     } else if (!made->is_placeable) {
         error(Code::E0412, child_head.span,
               fmt::format("`{}` stands at the top level, not in a {}", made->name, schema_.name));
@@ -262,11 +267,34 @@ void BlockCheck::unused_by_model() {
 PropertyPlace find_place(const BlockSchema& schema, std::string_view name) {
     std::size_t slot = find_property(schema.properties, name);
     if (slot < schema.properties.size()) return {&schema.properties[slot], slot, false};
-    if (!schema.is_placeable) return {};
     const std::span<const PropertySchema> common = common_properties();
     slot = find_property(common, name);
-    if (slot == common.size()) return {};
+    if (slot == common.size() || !takes(schema, static_cast<CommonProperty>(slot))) return {};
     return {&common[slot], slot, true};
+}
+
+void report_placed_value(BlockKind kind, std::string_view head, Span span,
+                         Diagnostics& diagnostics) {
+    const std::string_view name = block_schema(kind).name;
+    const bool is_built_in = head == name;
+    if (kind == BlockKind::material) {
+        Diagnostic& diagnostic =
+            diagnostics.error(Code::E0408, span, "a material cannot be placed");
+        if (is_built_in) {
+            diagnostic.with_help(
+                "give it a name: `let red = material { ... }`, then `material: red` in a shape");
+        } else {
+            diagnostic.with_hint(fmt::format("use `material: {}` in a shape", head));
+        }
+    } else if (kind == BlockKind::record) {
+        diagnostics.error(Code::E0408, span, "a record cannot be placed")
+            .with_help("give it a name: `let r = record { ... }`");
+    } else {
+        diagnostics.error(Code::E0408, span, "a texture cannot be placed")
+            .with_help(is_built_in
+                           ? fmt::format("use it in a material: `diffuse: {} {{ ... }}`", head)
+                           : fmt::format("use it in a material: `diffuse: {}`", head));
+    }
 }
 
 bool check_block(const BlockSchema& schema, const BlockExpr& block, BlockUse use,

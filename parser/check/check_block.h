@@ -29,6 +29,11 @@ struct PropertyPlace {
 
 PropertyPlace find_place(const BlockSchema& schema, std::string_view name);
 
+/// Reports E0408 for a material, texture or record that is placed; `head` is its name in the scene,
+/// or that of the built-in block.
+void report_placed_value(BlockKind kind, std::string_view head, Span span,
+                         Diagnostics& diagnostics);
+
 /// Reports what is wrong with the body of a block; returns false if anything was.
 /// Errors: E0401, E0402, E0406, E0411, E0412; warns W1401.
 bool check_block(const BlockSchema& schema, const BlockExpr& block, BlockUse use,

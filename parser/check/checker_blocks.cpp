@@ -41,24 +41,17 @@ void FileChecker::placed_block(const BlockItem& item, const Place& parent) {
     const NameExpr* const head = name_in(*placed.head);
     const bool is_built_in = head != nullptr && head->meaning == Meaning::block;
     if (schema == nullptr) return;
-    if (!is_built_in && !schema->is_placeable) {
-        const bool is_material = schema->kind == BlockKind::material;
-        Diagnostic& diagnostic = error(Code::E0408, placed.head->span,
-                                       fmt::format("a {} cannot be placed", schema->name));
-        if (is_material) {
-            diagnostic.with_hint(fmt::format("use `material: {}` in a shape", text(*placed.head)));
-        }
+    const bool is_value =
+        is_texture(schema->kind) || schema->kind == BlockKind::record ||
+        (schema->kind == BlockKind::material && (!is_built_in || parent.kind == Place::Kind::file));
+    if (is_value) {
+        report_placed_value(schema->kind, text(*placed.head), placed.head->span, diagnostics_);
         return;
     }
     if (parent.kind == Place::Kind::file) top_level_block(placed, *schema);
 }
 
 void FileChecker::top_level_block(const BlockExpr& placed, const BlockSchema& schema) {
-    if (schema.kind == BlockKind::material) {
-        error(Code::E0408, placed.head->span, "a material cannot be placed")
-            .with_help(
-                "give it a name: `let red = material { ... }`, then `material: red` in a shape");
-    }
     const bool is_unique = schema.kind == BlockKind::render || schema.kind == BlockKind::info;
     if (!is_unique) return;
     Span& first = schema.kind == BlockKind::render ? first_render_ : first_info_;

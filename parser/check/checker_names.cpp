@@ -22,7 +22,9 @@ void FileChecker::close_scope() {
 // What is to be said about a name before it is defined here.
 void FileChecker::new_name(Symbol name, Span span) {
     const std::string_view text = symbols_.text(name);
-    if (find_block(name) != nullptr) {
+    // The name of a texture may be taken, as that of a colour: `let wood = image { ... }`.
+    const BlockSchema* const built_in = find_block(name);
+    if (built_in != nullptr && !is_texture(built_in->kind)) {
         error(Code::E0203, span,
               fmt::format("`{}` is a built-in block; choose another name", text));
     }

@@ -5,8 +5,10 @@
 
 #include "base/assert.h"
 #include "parser/blocks/build_heightfield.h"
+#include "parser/blocks/build_light.h"
 #include "parser/blocks/build_material.h"
 #include "parser/blocks/build_mesh.h"
+#include "parser/blocks/build_texture.h"
 #include "parser/blocks/build_view.h"
 #include "parser/check/check_block.h"
 #include "parser/check/check_complete.h"
@@ -44,11 +46,9 @@ Evaluator::Head Evaluator::head(BlockExpr& expr, bool is_placed) {
         return {};
     }
     if (is_placed && !is_node) {
-        Diagnostic& diagnostic = error(Code::E0408, expr.head->span,
-                                       fmt::format("{} cannot be placed", describe(value)));
-        if (value.is(ValueKind::material)) {
-            diagnostic.with_hint(fmt::format("use `material: {}` in a shape", text(*expr.head)));
-        }
+        const BlockKind kind =
+            value.is(ValueKind::record) ? BlockKind::record : value.made->schema->kind;
+        report_placed_value(kind, text(*expr.head), expr.head->span, diagnostics_);
         return {};
     }
     const BlockSchema& schema = *value.made->schema;
@@ -121,6 +121,9 @@ void Evaluator::start_copy(const Made& made, OpenBlock& open) {
     for (std::size_t slot = 0; slot < made.schema->properties.size(); ++slot) {
         open.values.set(slot, made.values[slot]);
     }
+    if (is_texture(made.schema->kind)) {
+        open.transform = scene_.textures[made.id].space_from_texture;
+    }
     if (!made.schema->is_placeable) return;
     const scene::Node& original = scene_.nodes[made.id];
     if (!original.transform_id.is_none()) {
@@ -150,8 +153,7 @@ Value Evaluator::block_value(BlockExpr& expr) {
         }
         return body(expr, open) ? record_value(open) : Value::poison();
     }
-    const bool is_material = schema.kind == BlockKind::material;
-    if (!is_material && !schema.is_placeable) {
+    if (!is_surface(schema.kind) && !schema.is_placeable) {
         return failed(
             Code::E0408, expr.head->span,
             fmt::format("a `{}` block is not a value; write it at the top level", schema.name));
@@ -162,9 +164,13 @@ Value Evaluator::block_value(BlockExpr& expr) {
         if (!take_kept_bytes(budget_, size, expr.span, diagnostics_)) return Value::poison();
     }
     if (!body(expr, open, made_of.made == nullptr)) return Value::poison();
-    if (is_material) {
+    if (schema.kind == BlockKind::material) {
         const std::optional<scene::MaterialId> id = add_material(open);
         return id ? made_value(ValueKind::material, open, id->value) : Value::poison();
+    }
+    if (is_texture(schema.kind)) {
+        const std::optional<scene::TextureId> id = add_texture(open);
+        return id ? made_value(ValueKind::texture, open, id->value) : Value::poison();
     }
     if (schema.kind == BlockKind::component) {
         const Made* const made = made_of.made;
@@ -223,8 +229,16 @@ std::optional<scene::MaterialId> Evaluator::add_material(const OpenBlock& open) 
     if (!take_kept_bytes(budget_, sizeof(scene::Material), open.span, diagnostics_)) {
         return std::nullopt;
     }
-    scene_.materials.push_back(build_material(open.values, open.span, diagnostics_));
+    scene_.materials.push_back(
+        build_material(open.values, scene_.textures, open.span, diagnostics_));
     return id;
+}
+
+std::optional<scene::TextureId> Evaluator::add_texture(const OpenBlock& open) {
+    const std::uint64_t size = texture_size(open.values, open.schema);
+    if (!take_kept_bytes(budget_, size, open.span, diagnostics_)) return std::nullopt;
+    return build_texture(open.schema, open.values, open.value_spans, open.transform, open.span,
+                         files_, scene_);
 }
 
 void Evaluator::view_block(const BlockSchema& schema, BlockExpr& expr) {
@@ -295,6 +309,10 @@ std::optional<ShapeRef> Evaluator::shape_of(const OpenBlock& open) {
         scene_.mesh_uses.push_back(*use);
         return ShapeRef{scene::NodeKind::mesh,
                         static_cast<std::uint32_t>(scene_.mesh_uses.size() - 1)};
+    }
+    if (is_light(open.schema.kind)) {
+        return build_light(open.schema, open.values, open.value_spans, open.span, files_, scene_,
+                           diagnostics_);
     }
     return build_shape(open.schema, open.values, open.span, scene_, diagnostics_);
 }

@@ -245,7 +245,9 @@ Value Evaluator::member(const MemberExpr& expr) {
     if (object.is(ValueKind::poison)) return object;
     if (object.is(ValueKind::record)) return record_member(expr, object);
     if (object.is(ValueKind::material)) return material_member(expr, *object.made);
-    if (object.is(ValueKind::node)) return node_member(expr, *object.made);
+    if (object.is(ValueKind::node) || object.is(ValueKind::texture)) {
+        return node_member(expr, *object.made);
+    }
     constexpr std::string_view kAxes = "xyzw";
     constexpr std::string_view kChannels = "rgba";
     const bool is_vector = object.is(ValueKind::numbers) && object.count >= 2 && object.count <= 4;
@@ -283,12 +285,13 @@ Value Evaluator::material_member(const MemberExpr& expr, const Made& made) {
     if (property.type == PropertyType::boolean) return Value::of(property.default_value[0] != 0.0);
     if (property.type == PropertyType::option) return Value::of_string("blinn_phong", kNoSource);
     if (slot == schemas::slot(kMaterial, "ambient")) {
-        return color(material.ambient.value_or(material.diffuse));
+        const Value& diffuse = (*made.values)[schemas::slot(kMaterial, "diffuse")];
+        return diffuse.is(ValueKind::texture) ? diffuse : color(material.diffuse.constant);
     }
     if (slot == schemas::slot(kMaterial, "specular")) {
         const bool is_microfacet = material.model == scene::ReflectionModel::cook_torrance ||
                                    material.model == scene::ReflectionModel::ward;
-        return color(material.specular.value_or(Color{is_microfacet ? 1.0f : 0.2f}));
+        return color(Color{is_microfacet ? 1.0f : 0.2f});
     }
     if (property.type == PropertyType::color) {
         PropertyValues values(made.schema->properties);
@@ -312,12 +315,25 @@ Value Evaluator::node_member(const MemberExpr& expr, const Made& made) {
     if (!value.is(ValueKind::none)) return value;
     const PropertySchema& property = properties[slot];
     const std::span<const double> fallback = property.default_value;
-    if (property.default_text.starts_with('[')) {
+    if (property.type == PropertyType::option) {
+        const std::string_view quoted = property.default_text;
+        return Value::of_string(quoted.substr(1, quoted.size() - 2), kNoSource);
+    }
+    if (property.type == PropertyType::color) {
+        const std::array<double, 4> rgba = {fallback[0], fallback[1], fallback[2], 1.0};
+        return Value::of_color(arena_.copy(std::span<const double>(rgba)).data());
+    }
+    const bool has_numbers =
+        property.default_text.starts_with('[') && property.type != PropertyType::stops;
+    if (has_numbers) {
         const bool is_plane = property.type == PropertyType::size2;
         return Value::of_numbers(fallback.first(is_plane ? 2 : 3));
     }
     if (property.type == PropertyType::boolean) return Value::of(fallback[0] != 0.0);
-    if (property.type == PropertyType::number && !property.default_text.empty()) {
+    const bool is_number = property.type == PropertyType::number ||
+                           property.type == PropertyType::integer ||
+                           property.type == PropertyType::angle;
+    if (is_number && !property.default_text.empty()) {
         return Value::of(fallback[0]);
     }
     error(Code::E0409, expr.name_span,

@@ -116,6 +116,7 @@ class Evaluator final : public Runtime {
     void view_block(const BlockSchema& schema, BlockExpr& expr);
     std::optional<scene::NodeId> instance(const BlockExpr& expr, const Made& made);
     std::optional<scene::MaterialId> add_material(const OpenBlock& open);
+    std::optional<scene::TextureId> add_texture(const OpenBlock& open);
     Value record_value(const OpenBlock& open);
     Value made_value(ValueKind kind, const OpenBlock& open, std::uint32_t id);
     std::optional<scene::NodeId> make_node(const OpenBlock& open, const StringExpr* label);

@@ -54,6 +54,7 @@ std::vector<Golden> goldens() {
         {"planes", "tests/golden/planes.lrs", {"--size", "160x120"}},
         {"quadrics", "tests/golden/quadrics.lrs", {"--size", "160x120"}},
         {"torus", "tests/golden/torus.lrs", {"--size", "160x120"}},
+        {"textures", "tests/golden/textures.lrs", {"--size", "160x120"}},
         {"transforms", "tests/golden/transforms.lrs", {"--size", "160x120"}},
     };
 }

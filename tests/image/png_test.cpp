@@ -58,7 +58,7 @@ std::string foreign_png(int color_type, int bit_depth, int interlace, std::strin
 
 void expect_codes(const std::string& file, const std::vector<int>& codes) {
     std::string error;
-    const auto image = read_png(bytes_of(file), {}, error);
+    const auto image = read_image(bytes_of(file), {}, error);
     ASSERT_TRUE(image) << error;
     ASSERT_EQ(image->pixels.size() * 3, codes.size());
     for (std::size_t i = 0; i < codes.size(); ++i) {
@@ -70,7 +70,7 @@ TEST(PngWrite, PictureReadsBack) {
     const Image image = random_image(61, 47, 2);
     std::string error;
     const std::string file = png_bytes(image);
-    const auto read = read_png(bytes_of(file), {}, error);
+    const auto read = read_image(bytes_of(file), {}, error);
     ASSERT_TRUE(read) << error;
     EXPECT_EQ(read->width, 61u);
     EXPECT_EQ(read->height, 47u);

@@ -45,7 +45,7 @@ TEST(PpmWrite, PictureOfSeveralBatchesReadsBack) {
     const Image image = random_image(401, 173, 1);  // more than one batch, not a multiple of it
     const std::string file = ppm_bytes(image);
     std::string error;
-    const auto read = read_ppm(bytes_of(file), {}, error);
+    const auto read = read_image(bytes_of(file), {}, error);
     ASSERT_TRUE(read) << error;
     EXPECT_EQ(read->width, 401u);
     EXPECT_EQ(read->height, 173u);
@@ -56,7 +56,7 @@ TEST(PpmRead, CommentsAndAnyWhiteSpaceInTheHeader) {
     using namespace std::string_literals;
     std::string error;
     const std::string whole = "P6 # made by hand\n# two lines\n1\t1\r\n255 \xff\x80\x00"s;
-    const auto read = read_ppm(bytes_of(whole), {}, error);
+    const auto read = read_image(bytes_of(whole), {}, error);
     ASSERT_TRUE(read) << error;
     EXPECT_EQ(read->at(0, 0), Color(1.0f, srgb_decode_8(128), 0.0f));
 }

@@ -117,6 +117,10 @@ Limits limits_of(std::string_view text) {
             limits.load.scene_bytes = value;
         } else if (name == "mesh_bytes") {
             limits.load.mesh_bytes = value;
+        } else if (name == "texture_bytes") {
+            limits.load.texture_bytes = value;
+        } else if (name == "texture_pixels") {
+            limits.load.texture_pixels = value;
         } else if (name == "nesting") {
             limits.load.nesting = static_cast<std::uint32_t>(value);
         } else if (name == "include_depth") {
@@ -131,6 +135,8 @@ Limits limits_of(std::string_view text) {
             limits.load.list_size = value;
         } else if (name == "primitives") {
             limits.flatten.primitives = value;
+        } else if (name == "lights") {
+            limits.flatten.lights = value;
         } else {
             ADD_FAILURE() << "there is no limit " << name;
         }

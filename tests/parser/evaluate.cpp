@@ -42,7 +42,7 @@ std::string string_of(std::string_view expression, std::string_view before) {
 Color color_of(std::string_view expression, std::string_view before) {
     const Loaded loaded =
         load_right(fmt::format("{}\nlet m = material {{ diffuse: {} }}", before, expression));
-    return loaded.scene ? loaded.scene->materials.back().diffuse : Color{-1.0f};
+    return loaded.scene ? loaded.scene->materials.back().diffuse.constant : Color{-1.0f};
 }
 
 std::string codes_of(std::string_view scene) {

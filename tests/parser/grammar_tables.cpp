@@ -75,6 +75,12 @@ std::string in_words(const PropertySchema& property) {
             return "function";
         case PropertyType::height_rows:
             return "rows of numbers";
+        case PropertyType::texture:
+            return "texture";
+        case PropertyType::stops:
+            return "pairs of place and colour";
+        case PropertyType::focus:
+            return "distance or point";
     }
     LRAY_ASSERT(false);
 }
@@ -107,8 +113,9 @@ std::string property_table(std::span<const PropertySchema> properties) {
         "| property | value | default | range | meaning |\n"
         "|---|---|---|---|---|\n";
     for (const PropertySchema& property : properties) {
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", property.name, in_words(property),
-                            default_of(property), in_words(property.range), property.doc);
+        text += fmt::format("| `{}` | {}{} | {} | {} | {} |\n", property.name, in_words(property),
+                            property.takes_texture ? ", or texture" : "", default_of(property),
+                            in_words(property.range), property.doc);
     }
     const std::string first = names_of(properties, Form::first);
     const std::string second = names_of(properties, Form::second);

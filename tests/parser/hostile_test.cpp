@@ -261,6 +261,9 @@ std::string dump(const scene::Scene& scene, const Sources& sources) {
             case scene::NodeKind::torus:
                 add(scene.tori[n.index].radius, scene.tori[n.index].tube);
                 break;
+            case scene::NodeKind::light:
+                add(scene.lights[n.index].shape.index(), scene.lights[n.index].intensity);
+                break;
             case scene::NodeKind::mesh:
                 add(scene.mesh_uses[n.index].z_is_up);
                 break;

@@ -54,6 +54,22 @@ TEST(CameraRays, FirstPixelOfATallPicture) {
                 kDirectionTolerance);
 }
 
+TEST(CameraRays, APanoramaSeesAllAround) {
+    scene::Camera camera;  // at (0, 0, 5), looks along -z
+    camera.projection = scene::Projection::panorama;
+    const CameraRays rays(camera, {400, 200});
+    EXPECT_EQ(rays.through({200.0, 100.0}).origin, Vec3(0.0f, 0.0f, 5.0f));
+    expect_near(rays.through({200.0, 100.0}).dir, {0.0, 0.0, -1.0}, kDirectionTolerance);
+    expect_near(rays.through({300.0, 100.0}).dir, {1.0, 0.0, 0.0}, kDirectionTolerance);
+    expect_near(rays.through({100.0, 100.0}).dir, {-1.0, 0.0, 0.0}, kDirectionTolerance);
+    expect_near(rays.through({0.0, 100.0}).dir, {0.0, 0.0, 1.0}, kDirectionTolerance);
+    expect_near(rays.through({400.0, 100.0}).dir, {0.0, 0.0, 1.0}, kDirectionTolerance);
+    expect_near(rays.through({123.0, 0.0}).dir, {0.0, 1.0, 0.0}, kDirectionTolerance);
+    expect_near(rays.through({123.0, 200.0}).dir, {0.0, -1.0, 0.0}, kDirectionTolerance);
+    const double s = std::sqrt(0.5);
+    expect_near(rays.through({300.0, 50.0}).dir, {s, s, 0.0}, kDirectionTolerance);
+}
+
 TEST(CameraRays, LookingFromAnotherSideTurnsTheFrame) {
     scene::Camera camera = camera_with(90.0);
     camera.position = {10.0, 0.0, 0.0};

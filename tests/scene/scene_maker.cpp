@@ -80,6 +80,10 @@ NodeId SceneMaker::add_instance(NodeId target, const NodeSettings& settings) {
     return add_node(NodeKind::instance, scene.instances.size() - 1, settings);
 }
 
+NodeId SceneMaker::add_light(std::size_t index, const NodeSettings& settings) {
+    return add_node(NodeKind::light, index, settings);
+}
+
 MaterialId SceneMaker::add_material(Color diffuse) {
     Material material;
     material.diffuse = diffuse;

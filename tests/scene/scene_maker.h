@@ -34,6 +34,8 @@ class SceneMaker {
     NodeId add(const MeshUse& use, const NodeSettings& settings = {});
     NodeId add_group(std::vector<NodeId> children, const NodeSettings& settings = {});
     NodeId add_instance(NodeId target, const NodeSettings& settings = {});
+    /// Of Scene::lights.
+    NodeId add_light(std::size_t index, const NodeSettings& settings = {});
     MaterialId add_material(Color diffuse);
     MeshId add_mesh(Mesh mesh);
 

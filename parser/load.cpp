@@ -57,10 +57,9 @@ class IncludeLoader {
         include.is_loaded = true;
     }
 
-    // Two names of one file (a link) are not recognised as a cycle; the depth limit ends it.
     bool is_open(SourceId source) const {
         for (const SourceId opened : open_) {
-            if (path(opened) == path(source)) return true;
+            if (files_.is_same_file(opened, source)) return true;
         }
         return false;
     }
@@ -71,11 +70,11 @@ class IncludeLoader {
         std::string chain;
         bool is_in_cycle = false;
         for (const SourceId opened : open_) {
-            is_in_cycle = is_in_cycle || path(opened) == path(source);
+            is_in_cycle = is_in_cycle || files_.is_same_file(opened, source);
             if (is_in_cycle) chain += fmt::format("{} -> ", path(opened));
         }
         chain += path(source);
-        const bool is_itself = path(open_.back()) == path(source);
+        const bool is_itself = files_.is_same_file(open_.back(), source);
         diagnostics_
             .error(Code::E0602, span,
                    is_itself ? fmt::format("{} includes itself", path(source))

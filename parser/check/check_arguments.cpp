@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/did_you_mean.h"
+#include "base/suggest_name.h"
 
 namespace lray::parser {
 
@@ -26,10 +26,10 @@ void check_arguments(const CallExpr& expr, const Builtin& builtin, const Symbols
             if (place == count) {
                 std::vector<std::string_view> names;
                 for (std::size_t i = 0; i < count; ++i) names.push_back(builtin.parameters[i].name);
-                diagnostics
-                    .error(Code::E0306, argument.name_span,
-                           fmt::format("`{}` has no argument `{}`", builtin.name, text))
-                    .with_hint(did_you_mean(text, names));
+                suggest_name(
+                    diagnostics.error(Code::E0306, argument.name_span,
+                                      fmt::format("`{}` has no argument `{}`", builtin.name, text)),
+                    text, names);
                 return;
             }
         } else if (has_named) {

@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "base/assert.h"
-#include "base/did_you_mean.h"
+#include "base/suggest_name.h"
 #include "parser/blocks/property_type.h"
 #include "parser/blocks/schema.h"
 #include "parser/builtins/builtins.h"
@@ -506,7 +506,7 @@ void Checker::unknown_name(const NameExpr& expr, bool is_block_head) {
     if (!habit.empty()) {
         diagnostic.with_hint(fmt::format("here it is called `{}`", habit));
     } else {
-        diagnostic.with_hint(did_you_mean(text, names));
+        suggest_name(diagnostic, text, names);
     }
 }
 

@@ -55,7 +55,9 @@ std::vector<std::string> call_lines(const Sources& sources, std::span<const Call
     constexpr std::size_t kLastShown = 3;
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < calls.size(); ++i) {
-        if (calls.size() > kMaxShown && i == kMaxShown - kLastShown) {
+        // In place of a single line another one would gain nothing.
+        const bool is_folded = calls.size() > kMaxShown + 1 && i == kMaxShown - kLastShown;
+        if (is_folded) {
             lines.push_back(fmt::format("... {} more calls ...", calls.size() - kMaxShown));
             i = calls.size() - kLastShown;
         }

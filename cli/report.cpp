@@ -30,9 +30,10 @@ std::string formatted(const Diagnostics& diagnostics, const Sources& sources,
 
 /// "scene.lrs", "scene.lrs, frame 3 of 8".
 std::string shown_scene(const Options& options) {
-    const std::string_view name = options.scene_path == "-" ? "<stdin>" : options.scene_path;
-    return escape_for_terminal(name) +
-           (options.frame_label.empty() ? "" : ", " + options.frame_label);
+    const std::string name =
+        options.scene_path == "-" ? "<stdin>" : escape_for_terminal(options.scene_path);
+    return fmt::format("{}{}{}", name, options.frame_label.empty() ? "" : ", ",
+                       options.frame_label);
 }
 
 /// "2 errors, 1 warning; nothing rendered".

@@ -144,6 +144,7 @@ void FileLoader::report_not_found(const ReadResult& result, const Request& reque
     if (result.is_library) {
         std::string names;
         for (const std::string& name : result.available) {
+            if (!name.ends_with(".lrs")) continue;
             names += fmt::format("{}std:{}", names.empty() ? "" : ", ", name);
         }
         diagnostic.with_note(names.empty() ? "the library is missing: it belongs beside the program"

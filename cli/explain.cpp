@@ -120,6 +120,12 @@ std::string list_topics() {
                        in_lines(function_names()));
 }
 
+/// "E4001"
+bool looks_like_code(std::string_view word) {
+    return word.size() > 1 && std::string_view("EWew").find(word[0]) != word.npos &&
+           word.find_first_not_of("0123456789", 1) == word.npos;
+}
+
 std::optional<std::string> explain_topic(std::string_view word) {
     for (const Topic& topic : topics()) {
         if (topic.name == word) return std::string(topic.text);
@@ -159,13 +165,14 @@ std::vector<std::string_view> explained_words() {
 
 ExitCode explain(std::string_view word) {
     if (const auto text = find_explanation(word)) return print_requested(*text);
-    std::vector<std::string_view> words = explained_words();
+    std::vector<std::string_view> words;
     for (const CodeInfo& info : code_infos()) words.push_back(info.id);
+    if (!looks_like_code(word)) words = explained_words();
     std::string help = did_you_mean(word, words);
     if (help.empty()) help = "`lray --explain topics` lists what there is";
-    return report_failure({ExitCode::usage,
-                           fmt::format("there is nothing to explain called `{}`", word),
-                           std::move(help)});
+    const std::string_view kind =
+        looks_like_code(word) ? "there is no code" : "there is nothing to explain called";
+    return report_failure({ExitCode::usage, fmt::format("{} `{}`", kind, word), std::move(help)});
 }
 
 }  // namespace lray::cli

@@ -103,7 +103,11 @@ parser::LoadSettings load_settings(const Options& options) {
     settings.limits = options.load_limits;
     settings.definitions = options.definitions;
     if (options.frames) settings.frame = static_cast<double>(options.frames->first);
-    settings.print = [](std::string_view line) { print_message(escape_for_terminal(line) + "\n"); };
+    if (options.diagnostics_format == DiagnosticsFormat::text) {
+        settings.print = [](std::string_view line) {
+            print_message(escape_for_terminal(line) + "\n");
+        };
+    }
     return settings;
 }
 

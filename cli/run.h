@@ -20,7 +20,8 @@ namespace lray::cli {
 /// Returns access to what the scene may read: -I and LRAY_PATH are searched too, --allow is not.
 FileAccess file_access(const Options& options);
 
-/// Returns what loading is to do: limits, definitions, the frame, and where printed lines go.
+/// Returns what loading is to do: limits, definitions, the frame, and where printed lines go. Among
+/// diagnostics for machines they have no place.
 parser::LoadSettings load_settings(const Options& options);
 
 /// Prints what the command line asked for in vain, and what makes the render slow.

@@ -526,9 +526,25 @@ std::optional<Code> find_code(std::string_view id) {
     return std::nullopt;
 }
 
+std::string slug(const CodeInfo& info) {
+    std::string result;
+    bool is_gap = false;
+    for (const char c : info.title) {
+        const char letter = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if ((letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9')) {
+            if (is_gap && !result.empty()) result += '-';
+            is_gap = false;
+            result += letter;
+        } else {
+            is_gap = true;
+        }
+    }
+    return result;
+}
+
 bool is_limit(Code code) {
-    constexpr std::array kLimits = {Code::E0115, Code::E0512, Code::E0513,
-                                    Code::E0514, Code::E0515, Code::E0516};
+    constexpr std::array kLimits = {Code::E0115, Code::E0511, Code::E0512, Code::E0513,
+                                    Code::E0514, Code::E0515, Code::E0516, Code::E0517};
     return std::find(kLimits.begin(), kLimits.end(), code) != kLimits.end();
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace lray {
@@ -41,6 +42,7 @@ struct CodeInfo {
     std::string_view explanation{};  // a few sentences
     std::string_view wrong{};
     std::string_view right{};
+    bool is_on = true;  // of a warning: told unless it is silenced
 };
 
 /// All codes, in order.
@@ -50,6 +52,13 @@ const CodeInfo& code_info(Code code);
 
 /// Returns the code of that id ("E0401", any case); empty if there is none.
 std::optional<Code> find_code(std::string_view id);
+
+/// Returns the title as a word for options: "scale after translate" -> "scale-after-translate".
+std::string slug(const CodeInfo& info);
+
+constexpr bool is_warning(const CodeInfo& info) {
+    return info.id.starts_with('W');
+}
 
 /// True for the codes of limits (exit code 3).
 bool is_limit(Code code);

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostic_place.h"
 #include "base/excerpt.h"
 
 namespace lray {
@@ -19,8 +20,7 @@ constexpr Palette kWarningColors{"\x1b[1;33m", "\x1b[1;34m", "\x1b[1;34m", "\x1b
 /// Returns "room.lrs:12:3", without line and column where the text is gone.
 std::string place(const Sources& sources, Span span) {
     std::string text = escape_for_terminal(sources[span.source].path, kMaxMessageSize);
-    const bool is_released = sources[span.source].text.size() == 0 && span.offset > 0;
-    if (is_released) return text;
+    if (!has_position(sources, span)) return text;
     const Position position = sources.position(span);
     return text + fmt::format(":{}:{}", position.line, position.column);
 }
@@ -33,14 +33,7 @@ bool has_excerpt(const Sources& sources, Span span) {
 /// chain folded; empty for the main file.
 std::string include_chain(const Sources& sources, Span span) {
     constexpr std::size_t kMaxShown = 5;
-    std::vector<Span> includes;
-    if (span.is_nowhere()) return {};
-    for (SourceId id = span.source; !sources[id].included_from.is_nowhere();) {
-        const Span from = sources[id].included_from;
-        includes.push_back(from);
-        if (from.source >= id) break;  // a file is included by one that was read before it
-        id = from.source;
-    }
+    const std::vector<Span> includes = includes_of(sources, span);
     if (includes.empty()) return {};
     std::string text = "in " + escape_for_terminal(sources[span.source].path, kMaxMessageSize);
     for (std::size_t i = 0; i < includes.size(); ++i) {
@@ -53,6 +46,26 @@ std::string include_chain(const Sources& sources, Span span) {
         text += ", included from " + place(sources, includes[i]);
     }
     return text;
+}
+
+/// Returns "in flake (flake.lrs:4:1)" for each running call, the innermost first, the middle of
+/// many folded.
+std::vector<std::string> call_lines(const Sources& sources, std::span<const CallSite> calls) {
+    constexpr std::size_t kMaxShown = 6;
+    constexpr std::size_t kLastShown = 3;
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < calls.size(); ++i) {
+        // In place of a single line another one would gain nothing.
+        const bool is_folded = calls.size() > kMaxShown + 1 && i == kMaxShown - kLastShown;
+        if (is_folded) {
+            lines.push_back(fmt::format("... {} more calls ...", calls.size() - kMaxShown));
+            i = calls.size() - kLastShown;
+        }
+        const CallSite& call = calls[i];
+        lines.push_back("in " + escape_for_terminal(call.name, kMaxMessageSize));
+        if (!call.place.is_nowhere()) lines.back() += " (" + place(sources, call.place) + ")";
+    }
+    return lines;
 }
 
 /// The marks of a diagnostic by source, that of the diagnostic itself first.
@@ -121,6 +134,7 @@ std::string format_diagnostic(const Diagnostic& diagnostic, const Sources& sourc
         add_line("", escape_for_terminal(label.message, kMaxMessageSize) +
                          (label.span.is_nowhere() ? "" : ": " + place(sources, label.span)));
     }
+    for (const std::string& line : call_lines(sources, diagnostic.calls)) add_line("", line);
     const std::string chain = include_chain(sources, diagnostic.span);
     if (!chain.empty()) add_line("", chain);
     for (const std::string& note : diagnostic.notes) add_text("note: ", note);
@@ -137,23 +151,17 @@ std::string counted(std::size_t count, std::string_view noun) {
 std::string format_diagnostics(const Diagnostics& diagnostics, const Sources& sources,
                                const PrintOptions& options) {
     std::string result;
-    std::map<Severity, std::size_t> shown;
-    const std::vector<const Diagnostic*> sorted = diagnostics.sorted();
-    std::size_t shown_count = 0;
-    for (const Diagnostic* diagnostic : sorted) {
-        // Warnings have the same limit of their own, so that they never crowd out an error.
-        std::size_t& count = shown[diagnostic->severity];
-        if (options.max_errors > 0 && count >= options.max_errors) continue;
-        ++count;
-        ++shown_count;
+    const std::size_t kept_count = diagnostics.sorted().size();
+    const std::vector<const Diagnostic*> shown = diagnostics.sorted(options.max_errors);
+    for (const Diagnostic* diagnostic : shown) {
         result += format_diagnostic(*diagnostic, sources, options.color);
         result += '\n';
     }
     const std::size_t all_count = diagnostics.error_count() + diagnostics.warning_count();
-    if (all_count > shown_count) {
-        result += fmt::format("... and {} more", all_count - shown_count);
+    if (all_count > shown.size()) {
+        result += fmt::format("... and {} more", all_count - shown.size());
         // What was not kept cannot be shown by any option.
-        if (sorted.size() > shown_count) result += " (`--max-errors 0` shows all)";
+        if (kept_count > shown.size()) result += " (`--max-errors 0` shows all)";
         result += '\n';
     }
     return result;

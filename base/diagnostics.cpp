@@ -15,6 +15,10 @@ Diagnostic& Diagnostics::warning(Code code, Span span, std::string message) {
 }
 
 Diagnostic& Diagnostics::report(Severity severity, Code code, Span span, std::string message) {
+    if (severity == Severity::warning && levels_[code] == WarningLevel::allow) {
+        dropped_ = Diagnostic{};
+        return dropped_;
+    }
     const bool is_kept = diagnostics_.size() < kMaxKept;
     has_limit_errors_ = has_limit_errors_ || (severity == Severity::error && is_limit(code));
     // Nowhere is no place: such reports are never merged by it.
@@ -30,6 +34,8 @@ Diagnostic& Diagnostics::report(Severity severity, Code code, Span span, std::st
         if (is_kept) by_place_.emplace(place, diagnostics_.size());
     }
     ++(severity == Severity::error ? error_count_ : warning_count_);
+    const bool is_denied = severity == Severity::warning && levels_[code] == WarningLevel::deny;
+    if (is_denied) ++denied_count_;
     if (!is_kept) {
         dropped_ = Diagnostic{};
         return dropped_;
@@ -56,6 +62,20 @@ std::vector<const Diagnostic*> Diagnostics::sorted() const {
     for (const Diagnostic& diagnostic : diagnostics_) result.push_back(&diagnostic);
     std::stable_sort(result.begin(), result.end(), [](const Diagnostic* a, const Diagnostic* b) {
         return std::tie(a->span.source, a->span.offset) < std::tie(b->span.source, b->span.offset);
+    });
+    return result;
+}
+
+std::vector<const Diagnostic*> Diagnostics::sorted(std::size_t max_count) const {
+    std::vector<const Diagnostic*> result = sorted();
+    if (max_count == 0) return result;
+    std::size_t errors_left = max_count;
+    std::size_t warnings_left = max_count;
+    std::erase_if(result, [&](const Diagnostic* diagnostic) {
+        std::size_t& left = diagnostic->severity == Severity::error ? errors_left : warnings_left;
+        if (left == 0) return true;
+        --left;
+        return false;
     });
     return result;
 }

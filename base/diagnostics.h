@@ -12,6 +12,7 @@
 
 #include "base/diagnostic_codes.h"
 #include "base/source.h"
+#include "base/warning_levels.h"
 
 namespace lray {
 
@@ -21,6 +22,18 @@ enum class Severity : std::uint8_t { error, warning };
 struct Label {
     Span span{};
     std::string message{};
+};
+
+/// A call that was running: what was called, and where.
+struct CallSite {
+    Span place{};
+    std::string name{};
+};
+
+/// What mends it: this text in place of the span.
+struct Fix {
+    Span span{};
+    std::string replacement{};
 };
 
 /// One mistake. Messages are lower case, without a full stop, and say what was found, what was
@@ -34,7 +47,9 @@ struct Diagnostic {
     std::vector<Label> labels{};
     std::vector<std::string> notes{};
     std::vector<std::string> helps{};
-    std::uint32_t count = 1;  // how often the same mistake occurred in this place
+    std::vector<CallSite> calls{};  // that led here, the innermost first
+    std::optional<Fix> fix{};       // only when it is sure
+    std::uint32_t count = 1;        // how often the same mistake occurred in this place
 
     Diagnostic& with_hint(std::string text) {
         hint = std::move(text);
@@ -52,6 +67,16 @@ struct Diagnostic {
         helps.push_back(std::move(text));
         return *this;
     }
+    Diagnostic& with_call(Span place, std::string name) {
+        calls.push_back({place, std::move(name)});
+        return *this;
+    }
+    /// A span so long that its end is not known is not replaced.
+    Diagnostic& with_fix(Span place, std::string replacement) {
+        const bool is_whole = !place.is_nowhere() && place.length < Span::kMaxLength;
+        if (is_whole) fix = Fix{place, std::move(replacement)};
+        return *this;
+    }
 };
 
 /// Collects the diagnostics of a run. One error per place: a second error that begins where one
@@ -63,8 +88,11 @@ class Diagnostics {
     static constexpr std::size_t kMaxKept = 10000;
     static constexpr std::size_t kMaxHinted = 100;
 
-    /// The returned diagnostic takes hints, labels, notes and helps; the reference is valid until
-    /// the next report.
+    Diagnostics() = default;
+    explicit Diagnostics(const WarningLevels& levels) : levels_(levels) {}
+
+    /// The returned diagnostic takes hints, labels, notes, helps, calls and a fix; the reference is
+    /// valid until the next report. A warning that is allowed is dropped.
     Diagnostic& error(Code code, Span span, std::string message);
     Diagnostic& warning(Code code, Span span, std::string message);
 
@@ -74,6 +102,9 @@ class Diagnostics {
     std::size_t error_count() const { return error_count_; }
     std::size_t warning_count() const { return warning_count_; }
     bool has_errors() const { return error_count_ > 0; }
+
+    /// Of the warnings, those that are denied.
+    std::size_t denied_count() const { return denied_count_; }
 
     /// False once there are so many errors that nobody reads the hints of more: a search for a name
     /// that was meant looks at all names there are.
@@ -85,15 +116,21 @@ class Diagnostics {
     /// In the order of printing: by source, then by position; a note stays with its error.
     std::vector<const Diagnostic*> sorted() const;
 
+    /// The same, but at most `max_count` errors and as many warnings, so that warnings never crowd
+    /// out an error; 0: all.
+    std::vector<const Diagnostic*> sorted(std::size_t max_count) const;
+
  private:
     Diagnostic& report(Severity severity, Code code, Span span, std::string message);
 
+    WarningLevels levels_;
     std::vector<Diagnostic> diagnostics_;
     using Place = std::pair<std::optional<Code>, std::uint64_t>;  // the code of a warning
     std::map<Place, std::size_t> by_place_;                       // of those kept
     Diagnostic dropped_;
     std::size_t error_count_ = 0;
     std::size_t warning_count_ = 0;
+    std::size_t denied_count_ = 0;
     bool has_limit_errors_ = false;
 };
 

@@ -44,6 +44,13 @@ std::string real_path(const std::string& path) {
     return real ? std::string(real.get()) : std::string();
 }
 
+/// Returns the device and the number of a regular file on it; empty for others.
+std::string identity_of(int file) {
+    struct stat status {};
+    if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return {};
+    return std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino);
+}
+
 /// Returns `path` relative to `directory`, both absolute and tidy; empty if it is not below.
 std::optional<std::string> relative_to(const std::string& path, const std::string& directory) {
     if (directory.empty()) return std::nullopt;
@@ -67,7 +74,23 @@ std::string with_case_of(std::string shown, std::string_view found) {
     return shown;
 }
 
+/// Of what begins so, the rest is a path in the bundled library.
+constexpr std::string_view kLibrary = "std:";
+
+/// Returns the directory of a file that is not of the library: one may be called "std:" too.
+std::string directory_beside(std::string_view path) {
+    const std::string directory = directory_of(path);
+    return directory.starts_with(kLibrary) ? "./" + directory : directory;
+}
+
 }  // namespace
+
+void FileAccess::set_library(const std::string& directory) {
+    library_.directory = directory;
+    library_.absolute = absolute_path(directory);
+    library_.real = real_path(directory);
+    library_.descriptor = Descriptor(::open(directory.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+}
 
 void FileAccess::allow(std::string directory, bool is_searched) {
     if (directory.empty()) directory += '.';
@@ -112,7 +135,7 @@ ReadResult FileAccess::read_main(std::string_view path, std::uint64_t max_size) 
     struct stat file {};
     if (attempt.file.is_open() && fstat(attempt.file.fd(), &file) == 0) {
         const bool is_regular = S_ISREG(file.st_mode);
-        result.directory = is_regular && path != "-" ? directory_of(path) : ".";
+        result.directory = is_regular && path != "-" ? directory_beside(path) : ".";
         if (is_regular) attempt.size = static_cast<std::uint64_t>(file.st_size);
         if (S_ISDIR(file.st_mode) || S_ISBLK(file.st_mode)) {
             attempt.status = ReadStatus::not_regular;
@@ -120,12 +143,14 @@ ReadResult FileAccess::read_main(std::string_view path, std::uint64_t max_size) 
             allow(result.directory, false);
         }
     }
-    finish(result, std::move(attempt), max_size);
+    const std::set<std::string> none;
+    finish(result, std::move(attempt), {max_size, none}, result.path);
     return result;
 }
 
 ReadResult FileAccess::read(std::string_view path, std::string_view from_directory,
-                            std::uint64_t max_size) {
+                            std::uint64_t max_size, const std::set<std::string>& known) {
+    const ReadLimits limits{max_size, known};
     ReadResult result;
     std::string written(path);
     result.used_backslash = written.find('\\') != std::string::npos;
@@ -134,6 +159,16 @@ ReadResult FileAccess::read(std::string_view path, std::string_view from_directo
     result.path = written;
     // A NUL would cut the name off where the system reads it.
     if (written.empty() || written.find('\0') != std::string::npos) return result;
+    const bool is_from_library = from_directory.starts_with(kLibrary) && !result.is_absolute;
+    if (written.starts_with(kLibrary)) {
+        read_library(result, written.substr(kLibrary.size()), limits);
+        return result;
+    }
+    if (is_from_library) {
+        from_directory.remove_prefix(kLibrary.size());
+        read_library(result, join_paths(from_directory, written), limits);
+        return result;
+    }
 
     result.searched.push_back(join_paths(from_directory, written));
     for (const Root& root : roots_) {
@@ -148,7 +183,7 @@ ReadResult FileAccess::read(std::string_view path, std::string_view from_directo
             attempt.status != ReadStatus::not_found && attempt.status != ReadStatus::outside;
         if (is_here) {
             result.path = place;
-            finish(result, std::move(attempt), max_size);
+            finish(result, std::move(attempt), limits, place);
             return result;
         }
         if (!first) first = std::move(attempt);
@@ -156,7 +191,7 @@ ReadResult FileAccess::read(std::string_view path, std::string_view from_directo
     result.path = result.searched.front();
     result.status = first->status;
     result.allow = first->allow;
-    read_ignoring_case(result, written, max_size);
+    read_ignoring_case(result, written, limits);
     return result;
 }
 
@@ -182,25 +217,54 @@ FileAccess::Attempt FileAccess::open_absolute(const std::string& absolute) const
             attempt.status = ReadStatus::not_found;
             continue;
         }
-        OpenedBeneath opened = open_beneath(root.descriptor.fd(), *relative, kOpenFlags, method_);
-        attempt.status = status_of(opened.error);
-        attempt.error = opened.error;
-        attempt.file = std::move(opened.file);
-        struct stat file {};
-        if (attempt.file.is_open() && fstat(attempt.file.fd(), &file) != 0) {
-            attempt.status = ReadStatus::unreadable;
-            attempt.error = errno;
-        } else if (attempt.file.is_open() && !S_ISREG(file.st_mode)) {
-            attempt.status = ReadStatus::not_regular;
-        }
-        attempt.size = static_cast<std::uint64_t>(file.st_size);
+        attempt = open_below(root, *relative);
         if (attempt.status != ReadStatus::outside) return attempt;
     }
     return attempt;
 }
 
+FileAccess::Attempt FileAccess::open_below(const Root& root, const std::string& relative) const {
+    Attempt attempt;
+    OpenedBeneath opened = open_beneath(root.descriptor.fd(), relative, kOpenFlags, method_);
+    attempt.status = status_of(opened.error);
+    attempt.error = opened.error;
+    attempt.file = std::move(opened.file);
+    struct stat file {};
+    if (attempt.file.is_open() && fstat(attempt.file.fd(), &file) != 0) {
+        attempt.status = ReadStatus::unreadable;
+        attempt.error = errno;
+    } else if (attempt.file.is_open() && !S_ISREG(file.st_mode)) {
+        attempt.status = ReadStatus::not_regular;
+    }
+    attempt.size = static_cast<std::uint64_t>(file.st_size);
+    return attempt;
+}
+
+void FileAccess::read_library(ReadResult& result, std::string_view name, const ReadLimits& limits) {
+    const std::string tidy = join_paths(".", name);
+    result.is_library = true;
+    result.path = std::string(kLibrary) + tidy;
+    result.searched.push_back(result.path);
+    if (!library_.descriptor.is_open()) return;
+    Attempt attempt = open_below(library_, tidy);
+    // What leads out of the library is simply not in it.
+    const bool is_there =
+        attempt.status != ReadStatus::outside && attempt.status != ReadStatus::not_found;
+    if (!is_there) {
+        constexpr int kListFlags = kOpenFlags | O_DIRECTORY;
+        const int library = library_.descriptor.fd();
+        result.available = names_in(open_beneath(library, ".", kListFlags, method_).file);
+        const std::string near = nearest_file_name(tidy, result.available);
+        if (!near.empty()) result.nearest = std::string(kLibrary) + near;
+        return;
+    }
+    result.directory = directory_of(result.path);
+    if (result.directory == ".") result.directory = kLibrary;
+    finish(result, std::move(attempt), limits, join_paths(library_.directory, tidy));
+}
+
 void FileAccess::read_ignoring_case(ReadResult& result, std::string_view written,
-                                    std::uint64_t max_size) {
+                                    const ReadLimits& limits) {
     if (searches_left_ == 0) return;
     --searches_left_;
     const std::string_view name = file_name_of(written);
@@ -221,18 +285,21 @@ void FileAccess::read_ignoring_case(ReadResult& result, std::string_view written
             result.differs_in_case = true;
             result.allow.clear();
             result.nearest.clear();
-            finish(result, std::move(attempt), max_size);
+            finish(result, std::move(attempt), limits, result.path);
             return;
         }
     }
 }
 
-void FileAccess::finish(ReadResult& result, Attempt attempt, std::uint64_t max_size) {
+void FileAccess::finish(ReadResult& result, Attempt attempt, const ReadLimits& limits,
+                        const std::string& place) {
     result.status = attempt.status;
     if (attempt.status == ReadStatus::unreadable) result.reason = error_words(attempt.error);
     if (attempt.status != ReadStatus::ok) return;
-    if (result.directory.empty()) result.directory = directory_of(result.path);
-    ReadAll read = read_all(attempt.file.fd(), attempt.size, max_size);
+    if (result.directory.empty()) result.directory = directory_beside(result.path);
+    result.identity = identity_of(attempt.file.fd());
+    if (limits.known.contains(result.identity)) return;
+    ReadAll read = read_all(attempt.file.fd(), attempt.size, limits.max_size);
     if (read.is_too_large) {
         result.status = ReadStatus::too_large;
     } else if (!read.text) {
@@ -241,7 +308,7 @@ void FileAccess::finish(ReadResult& result, Attempt attempt, std::uint64_t max_s
     } else {
         result.text = std::move(*read.text);
         const bool is_named = !result.searched.empty();  // stdin has no name
-        if (is_named && is_read_.insert(result.path).second) files_read_.push_back(result.path);
+        if (is_named && is_read_.insert(place).second) files_read_.push_back(place);
     }
 }
 

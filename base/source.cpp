@@ -23,10 +23,18 @@ std::size_t count_line_ends(const Text& text, std::size_t begin, std::size_t end
                                                   [](const char& c) { return ends_line(&c); }));
 }
 
-/// Returns where the line begins that holds the byte at `offset`.
-std::size_t line_begin(const Text& text, std::size_t offset) {
-    while (offset > 0 && !ends_line(text.data() + offset - 1)) --offset;
-    return offset;
+bool continues_code_point(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
+}
+
+/// Counts code points from a place on; begins anew behind each line end.
+std::uint32_t advance_column(const Text& text, std::size_t begin, std::size_t end,
+                             std::uint32_t column) {
+    for (std::size_t i = begin; i < end; ++i) {
+        if (!continues_code_point(text.data()[i])) ++column;
+        if (ends_line(text.data() + i)) column = 0;
+    }
+    return column;
 }
 
 }  // namespace
@@ -62,9 +70,13 @@ const std::vector<std::uint32_t>& Sources::lines_before(const Source& source) co
     if (!table.empty()) return table;
     const std::size_t size = source.text.size();
     std::size_t count = 0;
+    std::uint32_t column = 0;
     for (std::size_t begin = 0; begin <= size; begin += kBlockSize) {
+        const std::size_t end = std::min(begin + kBlockSize, size);
         table.push_back(static_cast<std::uint32_t>(count));
-        count += count_line_ends(source.text, begin, std::min(begin + kBlockSize, size));
+        source.columns_before.push_back(column);
+        count += count_line_ends(source.text, begin, end);
+        column = advance_column(source.text, begin, end, column);
     }
     return table;
 }
@@ -78,12 +90,10 @@ Position Sources::position(Span span) const {
     Position position;
     position.line += lines_before(source)[block] + static_cast<std::uint32_t>(count_line_ends(
                                                        source.text, block * kBlockSize, offset));
-    std::size_t begin = line_begin(source.text, offset);
-    if (begin == 0 && text.starts_with(kByteOrderMark)) begin = kByteOrderMark.size();
-    for (std::size_t i = begin; i < offset; ++i) {
-        const bool continues_code_point = (static_cast<unsigned char>(text[i]) & 0xC0u) == 0x80u;
-        if (!continues_code_point) ++position.column;
-    }
+    position.column +=
+        advance_column(source.text, block * kBlockSize, offset, source.columns_before[block]);
+    const bool has_mark = position.line == 1 && text.starts_with(kByteOrderMark);
+    if (has_mark && position.column > 1) --position.column;
     return position;
 }
 
@@ -127,6 +137,7 @@ std::string_view Sources::text(Span span) const {
 void Sources::release_text(SourceId id) {
     sources_[id].text = Text{};
     sources_[id].lines_before.clear();
+    sources_[id].columns_before.clear();
 }
 
 }  // namespace lray

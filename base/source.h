@@ -88,7 +88,11 @@ struct Source {
     std::string path;  // as shown to the user
     Text text;
     Span included_from{};  // the include that brought it; nowhere for the main file
-    mutable std::vector<std::uint32_t> lines_before{};  // of each block; made on first use
+
+    // Of each block, made on first use: the line ends before it, and the code points between the
+    // last of them and the block.
+    mutable std::vector<std::uint32_t> lines_before{};
+    mutable std::vector<std::uint32_t> columns_before{};
 };
 
 /// All source text of a run. References stay valid as files are added.
@@ -106,7 +110,7 @@ class Sources {
     const Source& operator[](SourceId id) const { return sources_[id]; }
 
     /// Line and column of the begin of the span, which is not nowhere. A byte order mark is no
-    /// column.
+    /// column. Takes no longer in a line of a gigabyte.
     Position position(Span span) const;
 
     /// The text of a line (1-based) without its line end and without a byte order mark. `\n`,

@@ -8,9 +8,13 @@
 
 #include "bvh/accel.h"
 #include "cli/console.h"
+#include "cli/dependencies.h"
+#include "cli/explain.h"
 #include "cli/format_files.h"
+#include "cli/frames.h"
 #include "cli/interrupt.h"
 #include "cli/options.h"
+#include "cli/report.h"
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "cli/view.h"
@@ -21,22 +25,22 @@ namespace lray::cli {
 
 namespace {
 
-ExitCode check_or_render(const Options& options) {
+ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     Sources sources;
-    Diagnostics diagnostics;
+    Diagnostics diagnostics(options.warning_levels);
     FileAccess files = file_access(options);
     StageTimes times;
     Stopwatch watch;
 
-    const auto scene = parser::load(options.scene_path, {.limits = options.load_limits}, files,
-                                    sources, diagnostics)
-                           .scene;
+    const auto [scene, usage_mistakes] =
+        parser::load(options.scene_path, load_settings(options), files, sources, diagnostics);
     times.load = watch.lap();
+    if (!usage_mistakes.empty()) return report_usage_mistakes(usage_mistakes);
     const auto world =
         scene ? scene::flatten(*scene, options.flatten_limits, diagnostics) : std::nullopt;
     times.flatten = watch.lap();
     LRAY_ASSERT(world || diagnostics.has_errors());
-    if (const auto end = report_diagnostics(diagnostics, sources, options)) return *end;
+    if (const auto end = report.print(diagnostics, sources, options)) return *end;
 
     const auto chosen = choose_view(*scene, *world, options);
     if (const auto* failure = std::get_if<Failure>(&chosen)) return report_failure(*failure);
@@ -44,6 +48,7 @@ ExitCode check_or_render(const Options& options) {
     print_notes(view, *world, options);
 
     catch_interrupts();
+    if (const auto interrupted = interrupt_exit_code()) return *interrupted;  // between frames
     auto opened =
         open_output(options, files.files_read());  // before the work: a wrong name is told at once
     if (const auto* failure = std::get_if<Failure>(&opened)) return report_failure(*failure);
@@ -60,6 +65,15 @@ ExitCode check_or_render(const Options& options) {
     return exit_code;
 }
 
+ExitCode check_or_render_frames(const Options& options) {
+    DiagnosticsReport report;
+    for (std::uint64_t i = 0; i < frame_count(options); ++i) {
+        const ExitCode exit_code = check_or_render(options_of_frame(options, i), report);
+        if (exit_code != ExitCode::done) return exit_code;
+    }
+    return ExitCode::done;
+}
+
 ExitCode run(std::span<const char* const> arguments) {
     const auto parsed = parse_options(arguments);
     if (const auto* failure = std::get_if<Failure>(&parsed)) return report_failure(*failure);
@@ -67,7 +81,9 @@ ExitCode run(std::span<const char* const> arguments) {
     switch (options.mode) {
         case Mode::render:
         case Mode::check:
-            return check_or_render(options);
+            return check_or_render_frames(options);
+        case Mode::deps:
+            return print_dependencies(options);
         case Mode::format:
             return format_files(options);
         case Mode::explain:

@@ -1,6 +1,7 @@
 // The one table of options: parsing, suggestions and --help are made from it.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ struct OptionSpec {
     /// Stores the value. Returns an empty string, or what is wrong as the end of a sentence that
     /// begins with the option's name.
     std::string (*apply)(Options& options, std::string_view value) = nullptr;
+
+    /// Of a limit: its value now.
+    std::uint64_t (*value_of)(const Options& options) = nullptr;
 
     bool takes_value() const { return *value != '\0'; }
 };

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/did_you_mean.h"
+#include "cli/frames.h"
 #include "cli/option_table.h"
 
 namespace lray::cli {
@@ -19,6 +20,7 @@ namespace {
 constexpr const char* kUsage = "lray -n 1 -i scene.lrs -o image.ppm";
 constexpr const char* kSeeHelp = "`lray --help` shows all options";
 constexpr std::size_t kMaxSuggestions = 3;
+constexpr std::uint64_t kMaxErrorsShown = 20;
 
 Failure usage_error(std::string message, std::string help = kSeeHelp) {
     return {ExitCode::usage, std::move(message), std::move(help)};
@@ -198,6 +200,26 @@ std::optional<Failure> check_formatting(const Options& options) {
                        "without `-o` each is written in its place");
 }
 
+std::optional<Failure> check_frames(const Options& options) {
+    const bool is_several = options.frames && options.frames->count() > 1;
+    if (is_several && options.scene_path == "-") {
+        return usage_error("several frames need a scene that can be read again, not stdin");
+    }
+    if (is_several && options.diagnostics_format == DiagnosticsFormat::sarif) {
+        return usage_error("a SARIF log is about one frame",
+                           "`--diagnostics json` takes several, or choose one with `--frame N`");
+    }
+    return std::nullopt;
+}
+
+std::optional<Failure> check_numbering(const Options& options) {
+    const bool is_several = options.frames && options.frames->count() > 1;
+    if (!is_several || has_frame_number(options.output_path)) return std::nullopt;
+    return usage_error(fmt::format("`-o {}` is one picture, for {} frames", options.output_path,
+                                   options.frames->count()),
+                       "put #### where the number of the frame belongs, like `-o out-####.png`");
+}
+
 std::optional<Failure> choose_format(Options& options) {
     if (options.format) return std::nullopt;
     if (options.output_path == "-") {
@@ -234,10 +256,13 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
         case Mode::version:
             return options;
         case Mode::check:
+        case Mode::deps:
         case Mode::format:
         case Mode::render:
             break;
     }
+    const bool is_text = options.diagnostics_format == DiagnosticsFormat::text;
+    if (!options.max_errors) options.max_errors = is_text ? kMaxErrorsShown : 0;
     if (options.is_formatting) {
         options.only_lists_unformatted = options.mode == Mode::check;
         options.mode = Mode::format;
@@ -248,8 +273,10 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
         return options;
     }
     if (options.scene_path.empty()) return usage_error("no scene is given", kUsage);
-    if (options.mode == Mode::check) return options;
+    if (auto failure = check_frames(options)) return *failure;
+    if (options.mode != Mode::render) return options;
     if (auto failure = check_output(options)) return *failure;
+    if (auto failure = check_numbering(options)) return *failure;
     if (auto failure = choose_format(options)) return *failure;
     warn_of_ignored(options);
     return options;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/warning_levels.h"
 #include "bvh/accel.h"
 #include "cli/exit_code.h"
 #include "image/write.h"
@@ -18,14 +19,25 @@
 
 namespace lray::cli {
 
-enum class Mode : std::uint8_t { render, check, format, explain, help, version };
+enum class Mode : std::uint8_t { render, check, format, deps, explain, help, version };
 enum class ColorMode : std::uint8_t { automatic, always, never };
+
+enum class DiagnosticsFormat : std::uint8_t { text, json, sarif };
+
+/// Frames of an animation, both ends included.
+struct FrameRange {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+
+    std::uint64_t count() const { return last - first + 1; }
+    friend bool operator==(const FrameRange&, const FrameRange&) = default;
+};
 
 struct Options {
     Mode mode = Mode::render;
     std::string scene_path{};   // "-" is stdin
     std::string output_path{};  // "-" is stdout
-    std::string explained{};    // the code that --explain asks for
+    std::string explained{};    // the code or topic that --explain asks for
 
     bool is_formatting = false;                  // --fmt, whatever else is asked for
     bool only_lists_unformatted = false;         // --fmt --check
@@ -40,12 +52,17 @@ struct Options {
     bvh::AccelKind accel = bvh::AccelKind::none;
     std::uint32_t thread_count = 0;  // 0: all
 
+    std::vector<parser::Definition> definitions{};  // -D, in order
+    std::optional<FrameRange> frames{};             // --frame, --frames
+    std::string frame_label{};                      // "frame 3 of 8", of one of several
+
     std::vector<std::string> include_directories{};  // -I, in order
     std::vector<std::string> allowed_directories{};  // --allow
 
     ColorMode color = ColorMode::automatic;
-    std::uint64_t max_errors = 20;
-    bool deny_warnings = false;
+    DiagnosticsFormat diagnostics_format = DiagnosticsFormat::text;
+    std::optional<std::uint64_t> max_errors{};  // set once parsed; machines get all by default
+    WarningLevels warning_levels{};
     bool stats = false;
     bool quiet = false;
 

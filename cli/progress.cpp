@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.h"
+
 namespace lray::cli {
 
 namespace {
@@ -22,6 +24,20 @@ std::string time_left(double share, double elapsed_seconds) {
 }
 
 }  // namespace
+
+std::string Progress::begin() {
+    if (label_.empty()) return {};
+    switch (style_) {
+        case ProgressStyle::silent:
+            return {};
+        case ProgressStyle::bar:
+            is_bar_drawn_ = true;
+            return kEraseLine + label_;
+        case ProgressStyle::lines:
+            return label_ + "\n";
+    }
+    LRAY_ASSERT(false);
+}
 
 std::string Progress::update(const render::RenderProgress& progress, double elapsed_seconds) {
     if (progress.total_pixels == 0) return {};
@@ -43,8 +59,8 @@ std::string Progress::update(const render::RenderProgress& progress, double elap
     if (!is_due || elapsed_seconds < kLinesAfterSeconds) return {};
     last_line_tenth_ = tenth;
     last_line_seconds_ = elapsed_seconds;
-    return fmt::format("{:.0f} %, {} left\n", std::floor(100.0 * share),
-                       time_left(share, elapsed_seconds));
+    return fmt::format("{}{}{:.0f} %, {} left\n", label_, label_.empty() ? "" : ": ",
+                       std::floor(100.0 * share), time_left(share, elapsed_seconds));
 }
 
 std::string Progress::finish() const {
@@ -53,9 +69,9 @@ std::string Progress::finish() const {
 
 std::string Progress::bar(double share, double elapsed_seconds) const {
     const int full = std::clamp(static_cast<int>(share * kBarWidth), 0, kBarWidth);
-    return fmt::format("{}[{:#<{}}{:.<{}}] {:3.0f} %  {} left", kEraseLine, "", full, "",
-                       kBarWidth - full, std::floor(100.0 * share),
-                       time_left(share, elapsed_seconds));
+    return fmt::format("{}{}{}[{:#<{}}{:.<{}}] {:3.0f} %  {} left", kEraseLine, label_,
+                       label_.empty() ? "" : " ", "", full, "", kBarWidth - full,
+                       std::floor(100.0 * share), time_left(share, elapsed_seconds));
 }
 
 std::string format_duration(double seconds) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "render/render.h"
 
@@ -11,7 +12,12 @@ enum class ProgressStyle : std::uint8_t { silent, bar, lines };
 
 class Progress {
  public:
-    explicit Progress(ProgressStyle style) : style_(style) {}
+    /// The label names the picture if there are several: "frame 3 of 8".
+    explicit Progress(ProgressStyle style, std::string label = {})
+        : style_(style), label_(std::move(label)) {}
+
+    /// Returns what to write at the begin: the label, if there is one.
+    std::string begin();
 
     /// Returns what to write now, often nothing. A bar appears once the render has lasted half a
     /// second and is redrawn in its line; a line comes each 10 % or 30 s, the first not before the
@@ -25,6 +31,7 @@ class Progress {
     std::string bar(double share, double elapsed_seconds) const;
 
     ProgressStyle style_ = ProgressStyle::silent;
+    std::string label_;
     bool is_bar_drawn_ = false;
     double last_line_seconds_ = 0.0;
     int last_line_tenth_ = 0;

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/diagnostic_printer.h"
-#include "base/did_you_mean.h"
+#include "base/terminal_text.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
+#include "cli/library.h"
 #include "cli/progress.h"
 
 namespace lray::cli {
@@ -23,12 +23,9 @@ namespace {
 constexpr double kSlowTestCount = 2e9;
 
 ProgressStyle progress_style(const Options& options) {
-    if (options.quiet) return ProgressStyle::silent;
+    const bool is_for_machines = options.diagnostics_format != DiagnosticsFormat::text;
+    if (options.quiet || is_for_machines) return ProgressStyle::silent;
     return stderr_is_terminal() ? ProgressStyle::bar : ProgressStyle::lines;
-}
-
-std::string_view shown_scene(const Options& options) {
-    return options.scene_path == "-" ? "<stdin>" : std::string_view(options.scene_path);
 }
 
 /// True for a pipe or a device: there is no place beside it for a partial picture.
@@ -85,6 +82,7 @@ ExitCode save_partial_picture(const image::Image& image, image::Metadata metadat
 
 FileAccess file_access(const Options& options) {
     FileAccess files;
+    files.set_library(library_directory());
     for (const std::string& directory : options.include_directories) files.allow(directory, true);
     if (const char* const path = std::getenv("LRAY_PATH")) {
         std::string_view rest = path;
@@ -100,26 +98,21 @@ FileAccess file_access(const Options& options) {
     return files;
 }
 
-std::optional<ExitCode> report_diagnostics(const Diagnostics& diagnostics, const Sources& sources,
-                                           const Options& options) {
-    print_message(
-        format_diagnostics(diagnostics, sources, {use_color(options.color), options.max_errors}));
-    const bool is_checking = options.mode == Mode::check;
-    const bool is_denied = options.deny_warnings && diagnostics.warning_count() > 0;
-    const std::string counts = summary(diagnostics);
-    if (!diagnostics.has_errors() && !is_denied) {
-        if (!is_checking) return std::nullopt;
-        const std::string name = escape_for_terminal(shown_scene(options));
-        return print_requested(
-            fmt::format("{}: no errors{}{}\n", name, counts.empty() ? "" : ", ", counts));
+parser::LoadSettings load_settings(const Options& options) {
+    parser::LoadSettings settings;
+    settings.limits = options.load_limits;
+    settings.definitions = options.definitions;
+    if (options.frames) settings.frame = static_cast<double>(options.frames->first);
+    if (options.diagnostics_format == DiagnosticsFormat::text) {
+        settings.print = [](std::string_view line) {
+            print_message(escape_for_terminal(line) + "\n");
+        };
     }
-    print_message(fmt::format("{}{}{}\n", counts,
-                              diagnostics.has_errors() ? "" : ", denied by `--deny warnings`",
-                              is_checking ? "" : "; nothing rendered"));
-    return diagnostics.has_limit_errors() ? ExitCode::limit : ExitCode::scene;
+    return settings;
 }
 
 void print_notes(const View& view, const scene::World& world, const Options& options) {
+    if (options.diagnostics_format != DiagnosticsFormat::text) return;
     for (const std::string& warning : options.warnings) print_warning(warning);
     const double test_count =
         static_cast<double>(view.pixel_count()) * static_cast<double>(world.primitive_count());
@@ -149,7 +142,8 @@ std::variant<OutputFile, Failure> open_output(const Options& options,
 
 render::RenderResult render_view(const View& view, const scene::World& world,
                                  const bvh::Accel& accel, const Options& options) {
-    Progress progress(progress_style(options));
+    Progress progress(progress_style(options), options.frame_label);
+    print_message(progress.begin());
     const auto start = std::chrono::steady_clock::now();
     const auto on_progress = [&](const render::RenderProgress& done) {
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -177,32 +171,6 @@ std::string partial_path(std::string_view output_path) {
     if (extension.empty()) return fmt::format("{}.partial", output_path);
     output_path.remove_suffix(extension.size() + 1);
     return fmt::format("{}.partial.{}", output_path, extension);
-}
-
-ExitCode explain(std::string_view code_id) {
-    const auto code = find_code(code_id);
-    if (!code) {
-        std::vector<std::string_view> ids;
-        for (const CodeInfo& info : code_infos()) ids.push_back(info.id);
-        std::string help = did_you_mean(code_id, ids);
-        if (help.empty()) help = "codes stand in the brackets of a message, like `E0401`";
-        return report_failure(
-            {ExitCode::usage, fmt::format("there is no code `{}`", code_id), std::move(help)});
-    }
-    const CodeInfo& info = code_info(*code);
-    std::string text = fmt::format("{}: {}\n\n{}\n", info.id, info.title, info.explanation);
-    const auto add_example = [&](std::string_view title, std::string_view example) {
-        if (example.empty()) return;
-        text += fmt::format("\n{}:\n\n", title);
-        while (!example.empty()) {
-            const std::string_view line = example.substr(0, example.find('\n'));
-            text += fmt::format("{}{}\n", line.empty() ? "" : "    ", line);
-            example.remove_prefix(std::min(line.size() + 1, example.size()));
-        }
-    };
-    add_example("Wrong", info.wrong);
-    add_example("Right", info.right);
-    return print_requested(text);
 }
 
 }  // namespace lray::cli

@@ -20,10 +20,9 @@ namespace lray::cli {
 /// Returns access to what the scene may read: -I and LRAY_PATH are searched too, --allow is not.
 FileAccess file_access(const Options& options);
 
-/// Prints the diagnostics and their closing line. Returns how the program ends, if it ends here:
-/// after errors, after warnings that are denied, and when checking was all that was asked for.
-std::optional<ExitCode> report_diagnostics(const Diagnostics& diagnostics, const Sources& sources,
-                                           const Options& options);
+/// Returns what loading is to do: limits, definitions, the frame, and where printed lines go. Among
+/// diagnostics for machines they have no place.
+parser::LoadSettings load_settings(const Options& options);
 
 /// Prints what the command line asked for in vain, and what makes the render slow.
 void print_notes(const View& view, const scene::World& world, const Options& options);
@@ -44,8 +43,4 @@ ExitCode save_picture(OutputFile output, const render::RenderResult& result,
 
 /// "a/image.png" -> "a/image.partial.png".
 std::string partial_path(std::string_view output_path);
-
-/// Prints what a code means.
-ExitCode explain(std::string_view code_id);
-
 }  // namespace lray::cli

@@ -44,14 +44,23 @@ std::string_view other_picture_format(std::string_view path) {
 }  // namespace
 
 std::optional<SourceId> FileLoader::main_scene(std::string_view path) {
-    return add(files_.read_main(path, scene_limit_.bytes), {path, Span{}, Span{}, scene_limit_});
+    const std::optional<Found> found =
+        add(files_.read_main(path, scene_limit_.bytes), {path, Span{}, Span{}, scene_limit_});
+    return found ? found->id : std::nullopt;
 }
 
 std::optional<SourceId> FileLoader::scene(std::string_view path, SourceId from, Span span) {
-    return read({path, span, span, scene_limit_}, from);
+    const std::optional<Found> found = read({path, span, span, scene_limit_}, from);
+    return found ? found->id : std::nullopt;
 }
 
-std::optional<SourceId> FileLoader::read(const Request& request, SourceId from) {
+bool FileLoader::is_same_file(SourceId a, SourceId b) const {
+    const std::string& identity = identities_.at(a);
+    return a == b || (!identity.empty() && identity == identities_.at(b));
+}
+
+std::optional<FileLoader::Found> FileLoader::read(const Request& request, SourceId from,
+                                                  const std::set<std::string>& known) {
     if (sources_.count() >= limits_.files || sources_.is_full()) {
         diagnostics_
             .error(Code::E0515, request.span, fmt::format("more than {} files", limits_.files))
@@ -63,10 +72,12 @@ std::optional<SourceId> FileLoader::read(const Request& request, SourceId from) 
         diagnostics_.error(Code::E0601, request.span, "the file name is empty");
         return std::nullopt;
     }
-    return add(files_.read(request.path, directories_[from], request.limit.left), request);
+    return add(files_.read(request.path, directories_[from], request.limit.left, known), request,
+               known);
 }
 
-std::optional<SourceId> FileLoader::add(ReadResult result, const Request& request) {
+std::optional<FileLoader::Found> FileLoader::add(ReadResult result, const Request& request,
+                                                 const std::set<std::string>& known) {
     const Span span = request.span;
     // Offsets into a source are 32 bits wide.
     const bool is_addressable = result.text.size() <= 0xffffffffu - Text::kPadding;
@@ -85,11 +96,13 @@ std::optional<SourceId> FileLoader::add(ReadResult result, const Request& reques
     } else if (result.is_absolute && !span.is_nowhere()) {
         diagnostics_.warning(Code::W1605, span, "an absolute path works on this machine only");
     }
+    if (known.contains(result.identity)) return Found{std::move(result.identity), std::nullopt};
     request.limit.left -= std::min<std::uint64_t>(result.text.size(), request.limit.left);
     const SourceId id =
         sources_.add(std::move(result.path), std::move(result.text), request.included_from);
     directories_[id] = std::move(result.directory);
-    return id;
+    identities_[id] = result.identity;
+    return Found{std::move(result.identity), id};
 }
 
 void FileLoader::report(const ReadResult& result, const Request& request) {
@@ -98,22 +111,9 @@ void FileLoader::report(const ReadResult& result, const Request& request) {
     switch (result.status) {
         case ReadStatus::ok:
             return;
-        case ReadStatus::not_found: {
-            const std::size_t places = result.searched.size();
-            const std::string searched =
-                places > 1 ? fmt::format(" in {} places", places) : std::string();
-            Diagnostic& diagnostic = diagnostics_.error(
-                Code::E0601, span, fmt::format("`{}` not found{}", written, searched));
-            if (!result.nearest.empty()) {
-                diagnostic.with_hint(fmt::format("did you mean `{}`?", result.nearest));
-            }
-            if (!span.is_nowhere()) {
-                for (const std::string& place : result.searched) {
-                    diagnostic.with_note(fmt::format("looked for {}", place));
-                }
-            }
+        case ReadStatus::not_found:
+            report_not_found(result, request);
             return;
-        }
         case ReadStatus::outside:
             diagnostics_
                 .error(Code::E0605, span,
@@ -145,6 +145,32 @@ void FileLoader::report(const ReadResult& result, const Request& request) {
     }
 }
 
+void FileLoader::report_not_found(const ReadResult& result, const Request& request) {
+    const std::string_view written = request.path;
+    const std::size_t places = result.searched.size();
+    const std::string where = result.is_library ? " in the bundled library"
+                              : places > 1      ? fmt::format(" in {} places", places)
+                                                : std::string();
+    Diagnostic& diagnostic = diagnostics_.error(Code::E0601, request.span,
+                                                fmt::format("`{}` not found{}", written, where));
+    if (!result.nearest.empty()) {
+        diagnostic.with_hint(fmt::format("did you mean `{}`?", result.nearest));
+    }
+    if (result.is_library) {
+        std::string names;
+        for (const std::string& name : result.available) {
+            if (!name.ends_with(".lrs")) continue;
+            names += fmt::format("{}std:{}", names.empty() ? "" : ", ", name);
+        }
+        diagnostic.with_note(names.empty() ? "the library is missing: it belongs beside the program"
+                                           : fmt::format("the library has {}", names));
+    } else if (!request.span.is_nowhere()) {
+        for (const std::string& place : result.searched) {
+            diagnostic.with_note(fmt::format("looked for {}", place));
+        }
+    }
+}
+
 std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId from, Span span,
                                               scene::Scene& scene) {
     const auto [known, is_new] = meshes_.try_emplace({directories_[from], std::string(path)});
@@ -157,30 +183,27 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
             .with_help("save the mesh as OBJ");
         return std::nullopt;
     }
-    const std::optional<SourceId> file = read({path, span, Span{}, mesh_limit_}, from);
-    if (!file) return std::nullopt;
-    const std::size_t errors_before = diagnostics_.error_count() + diagnostics_.warning_count();
-    std::optional<scene::Mesh> mesh = scene::read_obj(sources_, *file, span, diagnostics_);
-    if (diagnostics_.error_count() + diagnostics_.warning_count() == errors_before) {
-        sources_.release_text(*file);  // nothing in it will be shown
-    }
-    if (!mesh) return std::nullopt;
-    mesh_id = scene::MeshId(scene.meshes.size());
-    scene.meshes.push_back(std::move(*mesh));
+    const std::optional<Found> found = read({path, span, Span{}, mesh_limit_}, from, mesh_files_);
+    if (!found) return std::nullopt;
+    if (!found->id) return mesh_id = meshes_by_identity_.at(found->identity);
+    mesh_id = read_mesh(*found->id, span, scene);
+    mesh_files_.insert(found->identity);
+    meshes_by_identity_.emplace(found->identity, mesh_id);
     return mesh_id;
 }
 
 std::optional<image::Image> FileLoader::heights(std::string_view path, SourceId from, Span span) {
-    const std::optional<SourceId> file = read({path, span, Span{}, mesh_limit_}, from);
-    if (!file) return std::nullopt;
+    const std::optional<Found> found = read({path, span, Span{}, mesh_limit_}, from);
+    if (!found) return std::nullopt;
+    const SourceId file = *found->id;
     std::string mistake;
-    const std::string_view bytes = sources_[*file].text.view();
+    const std::string_view bytes = sources_[file].text.view();
     std::optional<image::Image> picture =
         image::read_image(std::as_bytes(std::span(bytes)), {}, mistake);
     if (!picture) {
         diagnostics_.error(Code::E0703, span, fmt::format("`{}`: {}", path, mistake));
     }
-    sources_.release_text(*file);  // its bytes are never shown
+    sources_.release_text(file);  // its bytes are never shown
     return picture;
 }
 
@@ -200,14 +223,15 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
             .with_help("save the picture as PNG");
         return std::nullopt;
     }
-    const std::optional<SourceId> file = read({path, span, Span{}, texture_limit_}, from);
-    if (!file) return std::nullopt;
-    const std::string_view text = sources_[*file].text.view();
+    const std::optional<Found> found = read({path, span, Span{}, texture_limit_}, from);
+    if (!found) return std::nullopt;
+    const SourceId file = *found->id;
+    const std::string_view text = sources_[file].text.view();
     std::string mistake;
     image::ReadLimits pixels{texture_pixels_left_};
     std::optional<image::CodedImage> image =
         image::read_coded_image(std::as_bytes(std::span(text)), pixels, mistake);
-    sources_.release_text(*file);
+    sources_.release_text(file);
     if (!image && pixels.is_exceeded) {
         const bool is_first = texture_pixels_left_ == limits_.texture_pixels;
         diagnostics_
@@ -229,6 +253,17 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
     const scene::PictureId id(scene.pictures.size());
     scene.pictures.push_back(std::move(picture));
     return id;
+}
+
+std::optional<scene::MeshId> FileLoader::read_mesh(SourceId file, Span span, scene::Scene& scene) {
+    const std::size_t errors_before = diagnostics_.error_count() + diagnostics_.warning_count();
+    std::optional<scene::Mesh> mesh = scene::read_obj(sources_, file, span, diagnostics_);
+    if (diagnostics_.error_count() + diagnostics_.warning_count() == errors_before) {
+        sources_.release_text(file);  // nothing in it will be shown
+    }
+    if (!mesh) return std::nullopt;
+    scene.meshes.push_back(std::move(*mesh));
+    return scene::MeshId(scene.meshes.size() - 1);
 }
 
 }  // namespace lray::parser

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,8 +33,15 @@ class FileLoader {
     /// Errors: empty, reported at `span`: E0515 too many files, E0601 and its like.
     std::optional<SourceId> scene(std::string_view path, SourceId from, Span span);
 
+    /// What tells the file of a source from others, however it was named.
+    const std::string& identity(SourceId source) const { return identities_.at(source); }
+
+    /// True if both sources are the same file, however each was named.
+    bool is_same_file(SourceId a, SourceId b) const;
+
     /// Returns the mesh of an OBJ file named at `span` in the source `from`.
-    /// Errors: empty, reported at `span` or in the mesh file; the same file again is silent.
+    /// Errors: empty, reported at `span` or in the mesh file; the same file again is silent,
+    /// however it is named.
     std::optional<scene::MeshId> mesh(std::string_view path, SourceId from, Span span,
                                       scene::Scene& scene);
 
@@ -68,9 +76,19 @@ class FileLoader {
         SizeLimit& limit;
     };
 
-    std::optional<SourceId> read(const Request& request, SourceId from);
-    std::optional<SourceId> add(ReadResult result, const Request& request);
+    /// Where a file is and what tells it from others; `id` is empty for one that was known.
+    struct Found {
+        std::string identity{};
+        std::optional<SourceId> id{};
+    };
+
+    std::optional<Found> read(const Request& request, SourceId from,
+                              const std::set<std::string>& known = {});
+    std::optional<Found> add(ReadResult result, const Request& request,
+                             const std::set<std::string>& known = {});
+    std::optional<scene::MeshId> read_mesh(SourceId file, Span span, scene::Scene& scene);
     void report(const ReadResult& result, const Request& request);
+    void report_not_found(const ReadResult& result, const Request& request);
 
     FileAccess& files_;
     Sources& sources_;
@@ -81,8 +99,11 @@ class FileLoader {
     std::uint64_t texture_pixels_left_ = limits_.texture_pixels;
     Diagnostics& diagnostics_;
     std::map<SourceId, std::string> directories_;
+    std::map<SourceId, std::string> identities_;  // empty: of what is no file
     std::map<std::pair<std::string, std::string>, std::optional<scene::MeshId>> meshes_;
     std::map<std::pair<std::string, std::string>, std::optional<scene::PictureId>> pictures_;
+    std::map<std::string, std::optional<scene::MeshId>> meshes_by_identity_;
+    std::set<std::string> mesh_files_;  // their identities
 };
 
 }  // namespace lray::parser

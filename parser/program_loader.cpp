@@ -24,7 +24,7 @@ void ProgramLoader::include(IncludeItem& item) {
 void ProgramLoader::import(ImportItem& item) {
     const std::optional<SourceId> source = open(*item.path);
     if (!source) return;
-    Module*& known = modules_[path(*source)];
+    Module*& known = modules_[files_.identity(*source)];
     if (known == nullptr) {
         Module* const module = context_.arena.make<Module>();
         known = module;  // before its own imports are read
@@ -52,10 +52,9 @@ std::optional<SourceId> ProgramLoader::open(const StringExpr& path) {
     return source;
 }
 
-// Two names of one file (a link) are not recognised as a cycle; the depth limit ends it.
 bool ProgramLoader::is_open(SourceId source) const {
     for (const SourceId opened : open_) {
-        if (path(opened) == path(source)) return true;
+        if (files_.is_same_file(opened, source)) return true;
     }
     return false;
 }
@@ -64,11 +63,11 @@ void ProgramLoader::report_cycle(SourceId source, Span span) {
     std::string chain;
     bool is_in_cycle = false;
     for (const SourceId opened : open_) {
-        is_in_cycle = is_in_cycle || path(opened) == path(source);
+        is_in_cycle = is_in_cycle || files_.is_same_file(opened, source);
         if (is_in_cycle) chain += fmt::format("{} -> ", path(opened));
     }
     chain += path(source);
-    const bool is_itself = path(open_.back()) == path(source);
+    const bool is_itself = files_.is_same_file(open_.back(), source);
     diagnostics_
         .error(Code::E0602, span,
                is_itself ? fmt::format("{} includes itself", path(source))

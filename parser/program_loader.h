@@ -42,7 +42,7 @@ class ProgramLoader {
     const LoadLimits& limits_;
     Diagnostics& diagnostics_;
     std::vector<SourceId> open_;
-    std::map<std::string, Module*> modules_;  // by path
+    std::map<std::string, Module*> modules_;  // by the identity of their file
     bool is_structure_known_ = true;
 };
 

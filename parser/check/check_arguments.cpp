@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/did_you_mean.h"
+#include "base/suggest_name.h"
 
 namespace lray::parser {
 
@@ -45,10 +45,10 @@ std::span<const std::uint8_t> check_arguments(const CallExpr& expr, const Signat
             if (place == parameters.size()) {
                 std::vector<std::string_view> names;
                 for (const Signature::Parameter& known : parameters) names.push_back(known.name);
-                diagnostics
-                    .error(Code::E0306, argument.name_span,
-                           fmt::format("`{}` has no argument `{}`", signature.name, text))
-                    .with_hint(did_you_mean(text, names));
+                suggest_name(diagnostics.error(Code::E0306, argument.name_span,
+                                               fmt::format("`{}` has no argument `{}`",
+                                                           signature.name, text)),
+                             text, names);
                 return {};
             }
         } else if (has_named) {

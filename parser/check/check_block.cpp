@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/did_you_mean.h"
+#include "base/suggest_name.h"
 #include "parser/blocks/schemas.h"
 #include "parser/check/check_complete.h"
 #include "parser/syntax/lexer.h"
@@ -180,9 +180,8 @@ void BlockCheck::unknown_property(const PropertyItem& item, std::string_view nam
         const std::string_view ours = habit == "diffuse" ? habit : name;
         diagnostic.with_hint(
             fmt::format("it belongs to the material: `material {{ {}: ... }}`", ours));
-    } else if (const std::string near = did_you_mean(name, names); !near.empty()) {
-        diagnostic.with_hint(near);
-    } else if (schema_.properties.size() <= 8 && !schema_.properties.empty()) {
+    } else if (!suggest_name(diagnostic, name, names) && schema_.properties.size() <= 8 &&
+               !schema_.properties.empty()) {
         std::string list;
         for (const PropertySchema& property : schema_.properties) {
             list += fmt::format(" {}", property.name);

@@ -1,7 +1,7 @@
 // Finds out what names mean.
 #include <utility>
 
-#include "base/did_you_mean.h"
+#include "base/suggest_name.h"
 #include "parser/builtins/builtins.h"
 #include "parser/builtins/prelude.h"
 #include "parser/check/checker_state.h"
@@ -191,7 +191,7 @@ void FileChecker::unknown_name(const NameExpr& expr, bool is_block_head) {
     if (!habit.empty()) {
         diagnostic.with_hint(fmt::format("here it is called `{}`", habit));
     } else {
-        diagnostic.with_hint(did_you_mean(text, names));
+        suggest_name(diagnostic, text, names);
     }
 }
 

@@ -29,6 +29,20 @@ constexpr unsigned kComparisonPriority = binary_priority(TokenKind::less);
 static_assert(binary_priority(TokenKind::kw_and) < kNotPriority &&
               kNotPriority < kComparisonPriority);
 
+/// Returns what to write in place of a foreign operator, with spaces where a word would run into
+/// its neighbours; empty where that is not sure: `not` binds less tightly than `!`.
+std::string own_operator(std::string_view text, const Token& token) {
+    const std::string_view foreign = text.substr(token.offset, token.length);
+    if (foreign == "**") return "^";
+    if (foreign != "&&" && foreign != "||") return {};
+    const auto is_space = [&](std::size_t at) {
+        return at < text.size() && (text[at] == ' ' || text[at] == '\t');
+    };
+    const bool stands_apart = token.offset > 0 && is_space(token.offset - 1);
+    return fmt::format("{}{}{}", stands_apart ? "" : " ", foreign == "&&" ? "and" : "or",
+                       is_space(token.end()) ? "" : " ");
+}
+
 }  // namespace
 
 // expr = "if" expr "then" expr "else" expr | or
@@ -440,7 +454,9 @@ void Parser::foreign_operator(const Expr* left) {
             has_value && !is_panicking_ ? context_.sources.text(span_from(begin)) : "1";
         message = fmt::format("write `{0} = {0} {1} {2}`", name, text.substr(0, 1), value);
     }
-    error(Code::E0112, span_of(token), std::move(message));
+    Diagnostic& diagnostic = error(Code::E0112, span_of(token), std::move(message));
+    const std::string ours = own_operator(context_.sources[source_].text.view(), token);
+    if (!ours.empty()) diagnostic.with_fix(span_of(token), ours);
 }
 
 }  // namespace lray::parser

@@ -1,5 +1,6 @@
 #include "base/diagnostic_printer.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -56,6 +57,46 @@ TEST(DiagnosticPrinter, LongIncludeChainIsFoldedInTheMiddle) {
               "  = in h.lrs, included from g.lrs:1:1, included from f.lrs:1:1, included from "
               "e.lrs:1:1, ... (3 more), included from a.lrs:1:1\n"
               "\n");
+}
+
+TEST(DiagnosticPrinter, CallsInnermostFirstThenTheIncludes) {
+    Sources sources;
+    const SourceId main = sources.add("main.lrs", Text("include \"a.lrs\"\n"));
+    const SourceId part = sources.add("a.lrs", Text("x\ny\n"), find(sources, main, "include"));
+    Diagnostics diagnostics;
+    diagnostics.error(Code::E0503, find(sources, part, "x"), "division by zero")
+        .with_call(find(sources, part, "y"), "flake")
+        .with_call(Span{}, "tree\x1b");
+    EXPECT_EQ(print(diagnostics, sources),
+              "a.lrs:1:1: error[E0503]: division by zero\n"
+              "  |\n"
+              "1 | x\n"
+              "  | ^\n"
+              "  = in flake (a.lrs:2:1)\n"
+              "  = in tree\\u{1b}\n"
+              "  = in a.lrs, included from main.lrs:1:1\n"
+              "\n");
+}
+
+TEST(DiagnosticPrinter, ManyCallsAreFoldedInTheMiddle) {
+    Sources sources;
+    const SourceId id = sources.add("a.lrs", Text("x"));
+    const auto calls = [&](int count) {
+        Diagnostics diagnostics;
+        Diagnostic& diagnostic = diagnostics.error(Code::E0512, Span::make(id, 0, 1), "too many");
+        for (int i = 0; i < count; ++i) diagnostic.with_call(Span{}, fmt::format("f{}", i));
+        const std::string text = print(diagnostics, sources);
+        return text.substr(text.find("  = "));
+    };
+    EXPECT_EQ(calls(7),
+              "  = in f0\n  = in f1\n  = in f2\n  = in f3\n  = in f4\n  = in f5\n"
+              "  = in f6\n\n");
+    EXPECT_EQ(calls(8),
+              "  = in f0\n  = in f1\n  = in f2\n  = ... 2 more calls ...\n  = in f5\n"
+              "  = in f6\n  = in f7\n\n");
+    EXPECT_EQ(calls(1000),
+              "  = in f0\n  = in f1\n  = in f2\n  = ... 994 more calls ...\n"
+              "  = in f997\n  = in f998\n  = in f999\n\n");
 }
 
 TEST(DiagnosticPrinter, LabelsOnTheSameLineOnOthersAndInOtherFiles) {

@@ -80,6 +80,32 @@ TEST(Sources, ByteOrderMarkIsNoColumnAndNoText) {
     EXPECT_EQ(sources.line(id, 1), "sphere { }");
 }
 
+TEST(Sources, ColumnsGoOnOverTheBlocksOfALongLine) {
+    // Against a count from the begin, at and around the borders of the blocks of the table.
+    std::string text = "\xEF\xBB\xBF";
+    for (int i = 0; i < 5000; ++i) text += i % 3 == 0 ? "\xc3\xa4" : "x";
+    text += "\r\n";
+    for (int i = 0; i < 9000; ++i) text += i == 4000 ? "\r" : "\xe2\x82\xac";
+    Sources sources;
+    const SourceId id = add(sources, text);
+    std::uint32_t line = 1;
+    std::uint32_t column = 1;
+    for (std::uint32_t i = 3; i < text.size(); ++i) {
+        const bool is_lead = (static_cast<unsigned char>(text[i]) & 0xC0u) != 0x80u;
+        if (is_lead) {
+            const Position position = sources.position(at(id, i));
+            ASSERT_EQ(position.line, line) << i;
+            ASSERT_EQ(position.column, column) << i;
+            ++column;
+        }
+        if (text[i] == '\n' || (text[i] == '\r' && text[i + 1] != '\n')) {
+            ++line;
+            column = 1;
+        }
+    }
+    EXPECT_EQ(line, 3u);
+}
+
 TEST(Sources, EmptyFileHasOneEmptyLine) {
     Sources sources;
     const SourceId id = add(sources, "");

@@ -306,7 +306,7 @@ TEST_F(EndToEnd, WarningsRenderUnlessDenied) {
     EXPECT_GT(picture("a.ppm").at(32, 24).r, 0.5f) << "the fitted camera looks at the sphere";
     const auto denied = run({"scene.lrs", "-o", "b.ppm", "--deny", "warnings"});
     EXPECT_EQ(denied.exit_code, 1);
-    EXPECT_TRUE(contains(denied.err, "1 warning, denied by `--deny warnings`; nothing rendered"))
+    EXPECT_TRUE(contains(denied.err, "1 warning, denied by `--deny`; nothing rendered"))
         << denied.err;
     EXPECT_EQ(directory_.names(), (std::vector<std::string>{"a.ppm", "scene.lrs"}));
     const auto checked = run({"--check", "scene.lrs"});

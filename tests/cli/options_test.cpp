@@ -81,8 +81,7 @@ TEST(Options, EveryValueReachesItsPlace) {
                                     "none",     "--stats",
                                     "--quiet",  "--color",
                                     "never",    "--max-errors",
-                                    "0",        "--deny",
-                                    "warnings", "--format",
+                                    "0",        "--format",
                                     "PNG",      "-I",
                                     "x",        "-I",
                                     "y",        "--allow",
@@ -105,7 +104,6 @@ TEST(Options, EveryValueReachesItsPlace) {
     EXPECT_TRUE(options.quiet);
     EXPECT_EQ(options.color, ColorMode::never);
     EXPECT_EQ(options.max_errors, 0u);
-    EXPECT_TRUE(options.deny_warnings);
     EXPECT_EQ(options.format, image::Format::png);
     EXPECT_EQ(options.include_directories, (std::vector<std::string>{"x", "y"}));
     EXPECT_EQ(options.allowed_directories, std::vector<std::string>{"z"});
@@ -126,6 +124,67 @@ TEST(Options, ModesNeedNoPicture) {
     const Options explain = parsed({"--explain", "E0401"});
     EXPECT_EQ(explain.mode, Mode::explain);
     EXPECT_EQ(explain.explained, "E0401");
+}
+
+TEST(Options, LanguageOptionsReachTheirPlace) {
+    const Options options = parsed({"a.lrs",     "-o",
+                                    "a-##.ppm",  "-D",
+                                    "n=2",       "-D",
+                                    "lib.s=a=b", "-D",
+                                    "e=",        "--frames",
+                                    "0:7",       "--max-call-depth",
+                                    "1",         "--max-list-size",
+                                    "2",         "--max-nodes",
+                                    "3",         "--max-printed-bytes",
+                                    "4",         "--max-steps",
+                                    "5",         "--max-value-bytes",
+                                    "6"});
+    ASSERT_EQ(options.definitions.size(), 3u);
+    EXPECT_EQ(options.definitions[0].name, "n");
+    EXPECT_EQ(options.definitions[0].value, "2");
+    EXPECT_EQ(options.definitions[1].name, "lib.s");
+    EXPECT_EQ(options.definitions[1].value, "a=b");
+    EXPECT_EQ(options.definitions[2].value, "");
+    EXPECT_EQ(options.frames, (FrameRange{0, 7}));
+    EXPECT_EQ(options.load_limits.call_depth, 1u);
+    EXPECT_EQ(options.load_limits.list_size, 2u);
+    EXPECT_EQ(options.load_limits.nodes, 3u);
+    EXPECT_EQ(options.load_limits.printed_bytes, 4u);
+    EXPECT_EQ(options.load_limits.steps, 5u);
+    EXPECT_EQ(options.load_limits.value_bytes, 6u);
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm", "--frames", "1:2", "--frame", "5"}).frames,
+              (FrameRange{5, 5}))
+        << "the last one counts";
+    EXPECT_EQ(parsed({"a.lrs", "--deps"}).mode, Mode::deps);
+}
+
+TEST(Options, WarningLevelsAreThoseGivenLast) {
+    const auto levels =
+        parsed({"a.lrs", "--check", "--deny", "warnings", "-A", "W1501", "-W", "no-area"})
+            .warning_levels;
+    EXPECT_EQ(levels[Code::W1301], WarningLevel::deny);
+    EXPECT_EQ(levels[Code::W1501], WarningLevel::allow);
+    EXPECT_EQ(levels[Code::W1201], WarningLevel::warn);
+}
+
+TEST(Options, SeveralFramesNeedANumberedNameAndASceneThatStays) {
+    const Failure plain = failed({"a.lrs", "-o", "a.ppm", "--frames", "1:3"});
+    EXPECT_EQ(plain.message, "`-o a.ppm` is one picture, for 3 frames");
+    EXPECT_EQ(plain.help, "put #### where the number of the frame belongs, like `-o out-####.png`");
+    EXPECT_EQ(failed({"a.lrs", "-o", "-", "--frames", "1:3"}).message,
+              "`-o -` is one picture, for 3 frames");
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm", "--frames", "3:3"}).output_path, "a.ppm");
+    EXPECT_EQ(failed({"-", "-o", "a#.ppm", "--frames", "1:3"}).message,
+              "several frames need a scene that can be read again, not stdin");
+    EXPECT_EQ(failed({"a.lrs", "--check", "--frames", "1:3", "--diagnostics", "sarif"}).message,
+              "a SARIF log is about one frame");
+}
+
+TEST(Options, MachinesGetAllErrorsByDefault) {
+    EXPECT_EQ(parsed({"a.lrs", "--check"}).max_errors, 20u);
+    EXPECT_EQ(parsed({"a.lrs", "--check", "--diagnostics", "json"}).max_errors, 0u);
+    EXPECT_EQ(parsed({"a.lrs", "--check", "--diagnostics=sarif", "--max-errors", "3"}).max_errors,
+              3u);
 }
 
 TEST(Options, FormatByOptionThenExtensionThenStdout) {
@@ -178,7 +237,24 @@ TEST(Options, WrongValuesSayWhatIsTaken) {
               "`--max-scene-bytes` takes a whole number from 1, not `99999999999999999999`");
     EXPECT_EQ(failed({"--color", "blue"}).message,
               "`--color` takes auto, always or never, not `blue`");
-    EXPECT_EQ(failed({"--deny", "errors"}).message, "`--deny` takes `warnings`, not `errors`");
+    EXPECT_EQ(failed({"--deny", "no-camra"}).message,
+              "`--deny` takes the code or the name of a warning, not `no-camra`; did you mean "
+              "`no-camera`?");
+    EXPECT_EQ(failed({"--diagnostics", "xml"}).message,
+              "`--diagnostics` takes text, json or sarif, not `xml`");
+    for (const char* definition : {"n", "=3", ""}) {
+        EXPECT_EQ(
+            failed({"-D", definition}).message,
+            std::string("`-D` takes a name and a value like `n=200`, not `") + definition + "`");
+    }
+    EXPECT_EQ(failed({"--frame", "-1"}).message,
+              "`--frame` takes a whole number from 0 to 1000000000, not `-1`");
+    for (const char* frames : {"3", "3:", ":3", "a:b", "1:2:3", "-1:2"}) {
+        EXPECT_EQ(failed({"--frames", frames}).message,
+                  std::string("`--frames` takes the first and the last frame like `0:95`, not `") +
+                      frames + "`");
+    }
+    EXPECT_EQ(failed({"--frames", "3:2"}).message, "`--frames` `3:2` ends before it begins");
     EXPECT_EQ(failed({"--accel", "kd"}).message,
               "`--accel` takes none, spheres or boxes, not `kd`");
     for (const char* size :

@@ -51,6 +51,18 @@ TEST(Progress, SilentSaysNothing) {
     EXPECT_EQ(progress.finish(), "");
 }
 
+TEST(Progress, LabelStandsBeforeBarAndLines) {
+    Progress bar(ProgressStyle::bar, "frame 3 of 8");
+    EXPECT_EQ(bar.begin(), "\r\x1b[Kframe 3 of 8");
+    EXPECT_TRUE(bar.update({25, 100}, 1.0).starts_with("\r\x1b[Kframe 3 of 8 [####"));
+    EXPECT_EQ(bar.finish(), "\r\x1b[K");
+    Progress lines(ProgressStyle::lines, "frame 3 of 8");
+    EXPECT_EQ(lines.begin(), "frame 3 of 8\n");
+    EXPECT_EQ(lines.update({50, 100}, 5.0), "frame 3 of 8: 50 %, 0:05 left\n");
+    EXPECT_EQ(Progress(ProgressStyle::silent, "frame 3 of 8").begin(), "");
+    EXPECT_EQ(Progress(ProgressStyle::lines).begin(), "");
+}
+
 TEST(FormatDuration, SecondsMinutesHours) {
     EXPECT_EQ(format_duration(0.0), "0:00");
     EXPECT_EQ(format_duration(6.2), "0:07");

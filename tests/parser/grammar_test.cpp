@@ -66,6 +66,7 @@ class Loaded {
             if (!file_name(file).empty()) directory_.write(file_name(file), file.text);
         }
         FileAccess access;
+        access.set_library(LRAY_SOURCE_DIR "/parser/std");
         const std::string path = directory_.write("snippet.lrs", text);
         has_scene_ = parser::load(path, {}, access, sources_, diagnostics_).scene.has_value();
     }

@@ -173,13 +173,13 @@ TEST(SizeLimits, FilesOfAKindMayBeAsLargeAsTheirLimitTogether) {
 TEST(SizeLimits, AFileCountsAsOftenAsItIsRead) {
     const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const std::string scene =
-        "mesh { file: \"m.obj\" }\nmesh { file: \"m.obj\" }\nmesh { file: \"./m.obj\" }\n";
+        "mesh { file: \"m.obj\" }\nmesh { file: \"./m.obj\" }\nmesh { file: \"n.obj\" }\n";
     parser::LoadLimits limits;
-    limits.mesh_bytes = 2 * mesh.size();
-    EXPECT_EQ(load_text(scene, limits, {{"m.obj", mesh}}).codes(), "W1501");
+    limits.mesh_bytes = 2 * mesh.size();  // one file under two names, and a copy of it
+    EXPECT_EQ(load_text(scene, limits, {{"m.obj", mesh}, {"n.obj", mesh}}).codes(), "W1501");
     --limits.mesh_bytes;
-    EXPECT_EQ(load_text(scene, limits, {{"m.obj", mesh}}).text(),
-              fmt::format("E0516 3:14 with `./m.obj` the files are larger than {} bytes together\n",
+    EXPECT_EQ(load_text(scene, limits, {{"m.obj", mesh}, {"n.obj", mesh}}).text(),
+              fmt::format("E0516 3:14 with `n.obj` the files are larger than {} bytes together\n",
                           limits.mesh_bytes));
 }
 

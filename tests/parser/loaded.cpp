@@ -28,6 +28,7 @@ std::string Loaded::text() const {
 Loaded load_file(const std::string& path, const parser::LoadSettings& settings) {
     Loaded loaded;
     FileAccess files;
+    files.set_library(LRAY_SOURCE_DIR "/parser/std");
     loaded.scene = parser::load(path, settings, files, loaded.sources, loaded.diagnostics).scene;
     return loaded;
 }

@@ -53,7 +53,10 @@ class IncludeLoader {
                 .with_help("raise the limit with `--max-include-depth N`");
             return;
         }
+        const bool is_fast = context_.use_literal_fast_path;
+        context_.use_literal_fast_path = is_fast && !include.runs_any_times;
         include.items = parse_with_includes(*source);
+        context_.use_literal_fast_path = is_fast;
         include.is_loaded = true;
     }
 

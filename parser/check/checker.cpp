@@ -435,9 +435,10 @@ void Checker::parts_of(Expr& expr) {
             for (Expr* element : static_cast<ListExpr&>(expr).elements) expression(*element);
             return;
         case ExprKind::block:
+            break;
         case ExprKind::comprehension:
         case ExprKind::function:
-            break;
+            return;
     }
     LRAY_ASSERT(false);
 }

@@ -45,7 +45,7 @@ Value Evaluator::eval(const Expr& expr) {
             return block_value(static_cast<const BlockExpr&>(expr));
         case ExprKind::comprehension:
         case ExprKind::function:
-            break;
+            return Value::poison();
     }
     LRAY_ASSERT(false);
 }

@@ -97,7 +97,8 @@ Token Lexer::next() {
         newline_before = skip_blanks() || newline_before;
         token = scan();
     } while (token.kind == TokenKind::nothing);
-    is_after_let_ = token.kind == TokenKind::kw_let;
+    is_after_let_ =
+        is_one_of(token.kind, TokenKind::kw_let, TokenKind::kw_var, TokenKind::kw_param);
     token.newline_before = newline_before;
     return token;
 }
@@ -149,7 +150,27 @@ bool Lexer::skip_blanks() {
 }
 
 void Lexer::skip_line_comment() {
+    const char* const from = at_;
     while (at_ < end_ && *at_ != '\n' && *at_ != '\r') check_code_point();
+    if (from[0] == '/' && from[2] == '/' && from[3] != '/') note_doc_line(from);
+}
+
+// A doc comment goes on with the one on the line before; behind code it is an ordinary comment.
+void Lexer::note_doc_line(const char* from) {
+    const char* line = from;
+    while (line > begin_ && is_a(line[-1], kBlank)) --line;
+    if (line > begin_ && line[-1] != '\n' && line[-1] != '\r') return;
+    const auto offset = static_cast<std::uint32_t>(from - begin_);
+    if (doc_lines_before(offset).empty()) doc_begin_ = from;
+    doc_end_ = at_;
+}
+
+std::string_view Lexer::doc_lines_before(std::uint32_t offset) const {
+    if (doc_end_ == nullptr || doc_end_ > begin_ + offset) return {};
+    const char* at = doc_end_;
+    while (is_a(*at, kBlank) || *at == '\n' || *at == '\r') ++at;
+    if (at != begin_ + offset) return {};
+    return {doc_begin_, static_cast<std::size_t>(doc_end_ - doc_begin_)};
 }
 
 void Lexer::skip_block_comment() {

@@ -31,6 +31,7 @@ struct ParseContext {
 struct ParsedFile {
     std::span<Item* const> items{};
     std::vector<IncludeItem*> includes{};
+    std::vector<ImportItem*> imports{};
 
     /// Braces do not match: what stands in which block is a guess, not to be checked.
     bool is_structure_known = true;

@@ -15,21 +15,6 @@ namespace lray::parser {
 
 namespace {
 
-/// What types are called elsewhere.
-struct TypeHabit {
-    std::string_view written{};
-    std::string_view type{};
-};
-
-constexpr std::array<TypeHabit, 22> kTypeHabits = {{
-    {"array", "list"},       {"boolean", "bool"},   {"callable", "function"}, {"colour", "color"},
-    {"dict", "record"},      {"direction", "vec3"}, {"double", "number"},     {"float", "number"},
-    {"fn", "function"},      {"func", "function"},  {"group", "node"},        {"integer", "int"},
-    {"matrix", "transform"}, {"object", "node"},    {"point", "vec3"},        {"real", "number"},
-    {"rgb", "color"},        {"shape", "node"},     {"str", "string"},        {"struct", "record"},
-    {"text", "string"},      {"vector", "vec3"},
-}};
-
 /// The file's name without its directories and its last extension; empty if that is no name.
 std::string_view stem_of(std::string_view path) {
     const std::size_t slash = path.find_last_of("/\\:");
@@ -150,16 +135,18 @@ TypeName Parser::type() {
     advance();
     const auto found = std::find(kTypeNames.begin(), kTypeNames.end(), text);
     if (found != kTypeNames.end()) return static_cast<TypeName>(found - kTypeNames.begin());
-    std::string all;
-    for (const std::string_view name : kTypeNames) {
-        all += fmt::format("{}{}", all.empty() ? "" : " ", name);
+    std::string hint = did_you_mean(text, kTypeNames);
+    const std::string_view usual = usual_type(text);
+    if (!usual.empty()) hint = fmt::format("here it is called `{}`", usual);
+    Diagnostic& diagnostic =
+        error(Code::E0201, span_of(word), fmt::format("unknown type `{}`", text)).with_hint(hint);
+    if (hint.empty()) {
+        std::string all;
+        for (const std::string_view name : kTypeNames) {
+            all += fmt::format("{}{}", all.empty() ? "" : " ", name);
+        }
+        diagnostic.with_help(fmt::format("the types are {}", all));
     }
-    const auto habit = std::find_if(kTypeHabits.begin(), kTypeHabits.end(),
-                                    [&](const TypeHabit& known) { return known.written == text; });
-    error(Code::E0201, span_of(word), fmt::format("unknown type `{}`", text))
-        .with_hint(habit != kTypeHabits.end() ? fmt::format("here it is called `{}`", habit->type)
-                                              : did_you_mean(text, kTypeNames))
-        .with_help(fmt::format("the types are {}", all));
     is_panicking_ = false;
     return TypeName::any;
 }

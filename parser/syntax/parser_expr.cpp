@@ -34,7 +34,9 @@ Expr* Parser::expression() {
     const Nested nested(*this, span_of(token_));
     if (!nested.fits()) return error_expr(span_of(token_));
     if (token_.kind == TokenKind::kw_if) return conditional();
-    if (token_.kind == TokenKind::kw_fn) return function_value();
+    const bool is_next_item = token_.kind == TokenKind::kw_fn && token_.newline_before &&
+                              ahead().kind == TokenKind::identifier;
+    if (token_.kind == TokenKind::kw_fn && !is_next_item) return function_value();
     return binary(0);
 }
 
@@ -95,8 +97,10 @@ Expr* Parser::binary(unsigned limit) {
     }
     while (!is_panicking_) {
         if (token_.kind == TokenKind::foreign && continues_line()) {
+            const bool is_arrow = text_of(token_) == "=>" || text_of(token_) == "->";
             foreign_operator(left, true);
-            break;
+            // In front of an arrow stands a parameter, not the use of a name.
+            return is_arrow ? error_expr(left->span) : left;
         }
         const unsigned priority = binary_priority(token_.kind);
         if (priority <= limit || !continues_line()) break;
@@ -186,8 +190,9 @@ Expr* Parser::postfix_of(Expr* object, bool is_grouped, bool is_placed) {
         const bool is_head = object->kind == ExprKind::name || object->kind == ExprKind::member ||
                              object->kind == ExprKind::index || object->kind == ExprKind::call ||
                              object->kind == ExprKind::block;
-        const bool is_list =
-            object->kind == ExprKind::list || object->kind == ExprKind::packed_list;
+        const bool is_list = object->kind == ExprKind::list ||
+                             object->kind == ExprKind::packed_list ||
+                             object->kind == ExprKind::comprehension;
         if (token_.kind == TokenKind::left_brace && is_head && !is_condition_) {
             object = block(object, is_placed);
             continue;

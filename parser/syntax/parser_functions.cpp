@@ -106,7 +106,7 @@ Item* Parser::component() {
     made.is_component = true;
     const bool is_right = parameters(made, fmt::format("component {}", text_of(*name)));
     if (is_right && token_.kind == TokenKind::equal) {
-        error(Code::E0116, span_of(token_), "the body of a `component` needs `{ }`")
+        error(Code::E0116, span_of(token_), "the body of `component` needs `{ }`")
             .with_help(fmt::format("a value is made by `fn {}(...) = ...`", text_of(*name)));
         advance();
         is_panicking_ = false;
@@ -156,6 +156,7 @@ Expr* Parser::function_value() {
 }
 
 // params = pdecl { "," pdecl } [ "," ]
+//
 // Returns false when something was reported; what follows is read as if it had been right.
 bool Parser::parameters(Function& function, std::string_view head) {
     if (token_.kind != TokenKind::left_paren || !continues_line()) {
@@ -187,6 +188,7 @@ bool Parser::parameters(Function& function, std::string_view head) {
 }
 
 // pdecl = IDENT [ ":" type ] [ "=" expr ]
+//
 // Returns false at what cannot be a parameter.
 bool Parser::parameter(std::vector<ParameterDecl>& list) {
     const bool is_next_item =
@@ -228,11 +230,15 @@ bool Parser::parameter(std::vector<ParameterDecl>& list) {
         const Token second = token_;  // `float x`, or a comma is missing
         advance();
         const bool is_list_end = is_one_of(token_.kind, TokenKind::comma, TokenKind::right_paren);
+        const auto known = std::find(kTypeNames.begin(), kTypeNames.end(), text_of(name));
+        const std::string_view first_type =
+            known != kTypeNames.end() ? *known : usual_type(text_of(name));
         error(Code::E0106, span_of(second),
               fmt::format("expected `,` or `)`, found `{}`", text_of(second)))
-            .with_help(is_list_end ? fmt::format("a type stands behind: `{}: {}`", text_of(second),
-                                                 text_of(name))
-                                   : std::string("parameters are separated by commas"));
+            .with_help(
+                is_list_end && !first_type.empty()
+                    ? fmt::format("a type stands behind: `{}: {}`", text_of(second), first_type)
+                    : std::string("parameters are separated by commas"));
         return false;
     }
     if (token_.kind == TokenKind::equal) {

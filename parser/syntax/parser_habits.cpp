@@ -57,7 +57,28 @@ constexpr std::array<Habit, 30> kHabits = {{
     {"val", kConstant},
 }};
 
+/// What types are called elsewhere.
+struct TypeHabit {
+    std::string_view written{};
+    std::string_view type{};
+};
+
+constexpr std::array<TypeHabit, 22> kTypeHabits = {{
+    {"array", "list"},       {"boolean", "bool"},   {"callable", "function"}, {"colour", "color"},
+    {"dict", "record"},      {"direction", "vec3"}, {"double", "number"},     {"float", "number"},
+    {"fn", "function"},      {"func", "function"},  {"group", "node"},        {"integer", "int"},
+    {"matrix", "transform"}, {"object", "node"},    {"point", "vec3"},        {"real", "number"},
+    {"rgb", "color"},        {"shape", "node"},     {"str", "string"},        {"struct", "record"},
+    {"text", "string"},      {"vector", "vec3"},
+}};
+
 }  // namespace
+
+std::string_view usual_type(std::string_view word) {
+    const auto found = std::find_if(kTypeHabits.begin(), kTypeHabits.end(),
+                                    [&](const TypeHabit& known) { return known.written == word; });
+    return found == kTypeHabits.end() ? std::string_view{} : found->type;
+}
 
 // An operator of another language; `left` is what stands before it, in a value or as an item.
 void Parser::foreign_operator(const Expr* left, bool is_value) {

@@ -80,6 +80,9 @@ struct LoopNames {
     Span element_span{};
 };
 
+/// Returns what a type of another language is called here; empty when it is not known.
+std::string_view usual_type(std::string_view word);
+
 class Parser {
  public:
     Parser(SourceId source, ParseContext& context, Structure structure, Diagnostics& diagnostics);

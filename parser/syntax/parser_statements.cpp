@@ -134,10 +134,17 @@ std::optional<LoopNames> Parser::loop_names(std::string_view example) {
 }
 
 // cond = expr
+//
 // A `{` behind a name in it opens the body; inside ( ) and [ ] it opens a block again.
 Expr* Parser::condition(const Token& keyword, std::string_view missing) {
-    const bool is_missing = token_.kind == TokenKind::left_brace ||
-                            (token_.newline_before && starts_item(token_, ahead()));
+    // Behind `in` a line may end.
+    const bool is_next_item = keyword.kind == TokenKind::kw_for
+                                  ? is_item_keyword(token_.kind) &&
+                                        !is_one_of(token_.kind, TokenKind::kw_if, TokenKind::kw_fn)
+                                  : true;
+    const bool is_missing =
+        is_one_of(token_.kind, TokenKind::left_brace, TokenKind::right_brace, TokenKind::end) ||
+        (token_.newline_before && is_next_item);
     if (is_missing) {
         error(Code::E0109, here(), std::string(missing));
         is_panicking_ = !(token_.kind == TokenKind::left_brace && !token_.newline_before);

@@ -77,7 +77,7 @@ void Parser::version() {
 // items = { SEP } [ item { sep item } ] { SEP }
 // sep   = SEP { SEP } | (* empty, if the previous item ended in "}" *)
 std::span<Item* const> Parser::items(bool is_file) {
-    std::vector<Item*> result;
+    const std::size_t first = open_items_.size();
     bool is_first = true;
     while (!is_ended_) {
         bool is_separated = std::exchange(is_separated_, false) || is_first;
@@ -107,19 +107,24 @@ std::span<Item* const> Parser::items(bool is_file) {
         const std::uint32_t begin = token_.offset;
         Item* const read = item();
         if (read != nullptr) {
-            const bool extends_literals = read->kind == ItemKind::literals && !result.empty() &&
-                                          result.back()->kind == ItemKind::literals;
+            const bool extends_literals = read->kind == ItemKind::literals &&
+                                          open_items_.size() > first &&
+                                          open_items_.back()->kind == ItemKind::literals;
             if (extends_literals) {
-                ++static_cast<LiteralsItem*>(result.back())->count;
+                ++static_cast<LiteralsItem*>(open_items_.back())->count;
             } else {
-                result.push_back(read);
+                open_items_.push_back(read);
             }
         }
         if (is_panicking_) synchronize();
         if (token_.offset == begin && token_.kind != TokenKind::end && !is_ended_) advance();
         is_first = false;
     }
-    return context_.arena.copy(result);
+    const std::span<Item* const> read(open_items_.begin() + static_cast<std::ptrdiff_t>(first),
+                                      open_items_.end());
+    const std::span<Item* const> result = context_.arena.copy(read);
+    open_items_.resize(first);
+    return result;
 }
 
 // item = let | var | param | fn | component | include | import | if | for | while | "break"

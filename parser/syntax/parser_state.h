@@ -232,6 +232,7 @@ class Parser {
     std::uint32_t last_line_seen_ = 0;
 
     std::vector<Opener> openers_;
+    std::vector<Item*> open_items_;  // of the blocks that are being read, innermost last
     std::vector<IncludeItem*> includes_;
     std::vector<ImportItem*> imports_;
     Surroundings around_;

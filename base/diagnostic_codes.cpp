@@ -72,7 +72,8 @@ constexpr CodeInfo kInfos[] = {
  "sphere { center: [0, 1, 0 }",
  "sphere { center: [0, 1, 0] }"},
 {LRAY_CODE(E0102), "name expected",
- "After `let` comes a name, made of letters, digits and `_`, and not beginning with a digit.",
+ "After `let`, `fn`, `for` and the like comes a name, made of letters, digits and `_`, and not "
+ "beginning with a digit.",
  "let 2nd = sphere { }",
  "let second = sphere { }"},
 {LRAY_CODE(E0103), "unclosed brace",
@@ -95,13 +96,14 @@ constexpr CodeInfo kInfos[] = {
  "sphere { center: [0 1 0] }",
  "sphere { center: [0, 1, 0] }"},
 {LRAY_CODE(E0107), "name that does nothing",
- "A name at the begin of an item is followed by `:` and a value, to set a property, or by `{`, to "
- "make a thing. To give something a name, write `let name = ...`.",
+ "A name at the begin of an item is followed by `:` and a value, to set a property, by `{`, to make "
+ "a thing, or by `=` and a value, to change a `var`. To give something a name, write `let name = "
+ "...`; a function is `fn name(x) = ...`, a loop `for x in xs { ... }`.",
  "sphere { radius 1 }",
  "sphere { radius: 1 }"},
 {LRAY_CODE(E0108), "item cannot start so",
  "An item starts with a name or a keyword: a property `name: value`, a thing `name { }`, a "
- "definition `let name = ...` or an `include`. Numbers, strings and brackets are values and stand "
+ "definition `let name = ...` or a statement. Numbers, strings and brackets are values and stand "
  "behind one of these.",
  "sphere { [0, 1, 0] }",
  "sphere { center: [0, 1, 0] }"},
@@ -135,20 +137,22 @@ constexpr CodeInfo kInfos[] = {
  "let x = ((((1))))  // with 300 brackets",
  "let x = 1"},
 {LRAY_CODE(E0116), "braces missing",
- "The body of a block stands in braces, and `{` on the line of its head.",
+ "The body of a block, a loop or an `if` stands in braces, and `{` on the line of its head.",
  "sphere\n{ radius: 1 }",
  "sphere {\n  radius: 1\n}"},
 {LRAY_CODE(E0117), "incomplete `if`",
- "`if`, `then` and `else` belong together: a choice between two values needs all three.",
+ "A choice between two values needs `if`, `then` and `else`. As a statement, `if` has a body in "
+ "braces, and `else`, which may be missing, stands right behind it.",
  "let r = if 1 < 2 then 3",
  "let r = if 1 < 2 then 3 else 4"},
 {LRAY_CODE(E0118), "not allowed here",
- "Some items have their places: `include` stands at the top level or in a group, `lrs` with a "
- "version at the very begin.",
+ "Some items have their places: `param` and `import` stand at the top level of a file, `include` "
+ "there or in a group, `lrs` with a version at the very begin.",
  "sphere {\n  include \"parts.lrs\"\n}",
  "group {\n  include \"parts.lrs\"\n}"},
 {LRAY_CODE(E0119), "`break` or `return` outside",
- "`break` and `continue` belong in a loop, `return` in a function.",
+ "`break` and `continue` belong in a loop, `return` in a function. A function, a component and the "
+ "block of a value inside of them cannot leave them.",
  "let r = 1\nbreak",
  "let r = 1"},
 {LRAY_CODE(E0120), "not available in this version",

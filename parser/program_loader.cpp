@@ -17,7 +17,11 @@ std::span<Item* const> ProgramLoader::parse(SourceId source) {
 void ProgramLoader::include(IncludeItem& item) {
     const std::optional<SourceId> source = open(*item.path);
     if (!source) return;
+    // What runs any number of times must not be read into the scene once.
+    const bool is_fast = context_.use_literal_fast_path;
+    context_.use_literal_fast_path = is_fast && !item.runs_any_times;
     item.items = parse(*source);
+    context_.use_literal_fast_path = is_fast;
     item.is_loaded = true;
 }
 

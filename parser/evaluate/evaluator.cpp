@@ -56,7 +56,11 @@ Diagnostic& Evaluator::error(Code code, Span span, std::string message) {
 }
 
 void Evaluator::explain_calls(Diagnostic& diagnostic) {
-    static_cast<void>(diagnostic);
+    for (std::size_t i = calls_.size(); i-- > 0;) {
+        const Symbol name = calls_[i].function->name;
+        diagnostic.with_call(calls_[i].span,
+                             std::string(name == kNoSymbol ? "fn" : symbols_.text(name)));
+    }
 }
 
 void Evaluator::print(std::string_view line) {

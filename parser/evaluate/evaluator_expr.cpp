@@ -285,7 +285,7 @@ Value Evaluator::material_member(const MemberExpr& expr, const Made& made) {
     if (property.type == PropertyType::boolean) return Value::of(property.default_value[0] != 0.0);
     if (property.type == PropertyType::option) return Value::of_string("blinn_phong", kNoSource);
     if (slot == schemas::slot(kMaterial, "ambient")) {
-        const Value& diffuse = (*made.values)[schemas::slot(kMaterial, "diffuse")];
+        const Value& diffuse = made.values[schemas::slot(kMaterial, "diffuse")];
         return diffuse.is(ValueKind::texture) ? diffuse : color(material.diffuse.constant);
     }
     if (slot == schemas::slot(kMaterial, "specular")) {

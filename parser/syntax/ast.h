@@ -300,6 +300,7 @@ struct AssignmentItem : Item {
 
 struct IncludeItem : Item {
     const StringExpr* path = nullptr;
+    bool runs_any_times = false;     // not once: reading its file makes no nodes, running it does
     bool is_loaded = false;          // false: reported, the names it would bring are silent
     std::span<Item* const> items{};  // of the file, when it is loaded
 };

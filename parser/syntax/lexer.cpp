@@ -1,4 +1,4 @@
-// Blanks, names, numbers and punctuation; strings are in lexer_text.cpp.
+// Blanks, names, numbers and punctuation; comments and strings are in lexer_text.cpp.
 #include "parser/syntax/lexer.h"
 
 #include <fmt/format.h>
@@ -97,7 +97,8 @@ Token Lexer::next() {
         newline_before = skip_blanks() || newline_before;
         token = scan();
     } while (token.kind == TokenKind::nothing);
-    is_after_let_ = token.kind == TokenKind::kw_let;
+    is_after_let_ =
+        is_one_of(token.kind, TokenKind::kw_let, TokenKind::kw_var, TokenKind::kw_param);
     token.newline_before = newline_before;
     return token;
 }
@@ -146,51 +147,6 @@ bool Lexer::skip_blanks() {
             return newline;
         }
     }
-}
-
-void Lexer::skip_line_comment() {
-    while (at_ < end_ && *at_ != '\n' && *at_ != '\r') check_code_point();
-}
-
-void Lexer::skip_block_comment() {
-    const char* const opening = at_;
-    unsigned depth = 1;
-    at_ += 2;
-    while (at_ < end_) {
-        if (at_[0] == '*' && at_[1] == '/') {
-            at_ += 2;
-            if (--depth == 0) return;
-        } else if (at_[0] == '/' && at_[1] == '*') {
-            at_ += 2;
-            ++depth;
-        } else {
-            check_code_point();
-        }
-    }
-    diagnostics_.error(Code::E0011, span_from(opening, opening + 2), "this comment is never closed")
-        .with_help("close it with `*/`; comments may be nested, each needs its own");
-}
-
-// Steps over one code point of text that is not looked at: a comment or a string.
-void Lexer::check_code_point() {
-    const auto byte = static_cast<unsigned char>(*at_);
-    if (byte < 0x80) {
-        ++at_;
-        return;
-    }
-    const CodePoint point = decode_utf8({at_, static_cast<std::size_t>(end_ - at_)});
-    if (point.length > 0) {
-        at_ += point.length;
-        return;
-    }
-    if (!has_invalid_utf8_) {  // once per file: the encoding is wrong, not the byte
-        diagnostics_
-            .error(Code::E0002, span_from(at_, at_ + 1),
-                   fmt::format("the byte 0x{:02x} is not UTF-8", byte))
-            .with_help("save the file with the encoding UTF-8");
-        has_invalid_utf8_ = true;
-    }
-    ++at_;
 }
 
 Token Lexer::identifier() {

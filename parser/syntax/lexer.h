@@ -25,6 +25,11 @@ class Lexer {
     /// Goes on at this offset.
     void seek(std::uint32_t offset) { at_ = begin_ + offset; }
 
+    /// Returns the `///` lines, each the first on its line, that stand before this offset with
+    /// nothing in between; the last such lines that were passed are known. Empty when there are
+    /// none.
+    std::string_view doc_lines_before(std::uint32_t offset) const;
+
     /// The source's bytes, followed by Text::kPadding NULs.
     const char* begin() const { return begin_; }
     const char* end() const { return end_; }
@@ -38,6 +43,7 @@ class Lexer {
     static Token nothing();
     bool skip_blanks();
     void skip_line_comment();
+    void note_doc_line(const char* from);
     void skip_block_comment();
     void check_code_point();
     Token identifier();
@@ -58,6 +64,8 @@ class Lexer {
     const char* end_;
     const char* at_;
     const char* token_begin_;
+    const char* doc_begin_ = nullptr;  // of the last `///` lines
+    const char* doc_end_ = nullptr;
     const char* end_of_search_;  // up to here no string in quotes of another kind is closed
     SourceId source_;
     Symbols& symbols_;

@@ -8,6 +8,71 @@
 
 namespace lray::parser {
 
+void Lexer::skip_line_comment() {
+    const char* const from = at_;
+    while (at_ < end_ && *at_ != '\n' && *at_ != '\r') check_code_point();
+    if (from[0] == '/' && from[2] == '/' && from[3] != '/') note_doc_line(from);
+}
+
+// A doc comment goes on with the one on the line before; behind code it is an ordinary comment.
+void Lexer::note_doc_line(const char* from) {
+    const char* line = from;
+    while (line > begin_ && is_a(line[-1], kBlank)) --line;
+    if (line > begin_ && line[-1] != '\n' && line[-1] != '\r') return;
+    const auto offset = static_cast<std::uint32_t>(from - begin_);
+    if (doc_lines_before(offset).empty()) doc_begin_ = from;
+    doc_end_ = at_;
+}
+
+std::string_view Lexer::doc_lines_before(std::uint32_t offset) const {
+    if (doc_end_ == nullptr || doc_end_ > begin_ + offset) return {};
+    const char* at = doc_end_;
+    while (is_a(*at, kBlank) || *at == '\n' || *at == '\r') ++at;
+    if (at != begin_ + offset) return {};
+    return {doc_begin_, static_cast<std::size_t>(doc_end_ - doc_begin_)};
+}
+
+void Lexer::skip_block_comment() {
+    const char* const opening = at_;
+    unsigned depth = 1;
+    at_ += 2;
+    while (at_ < end_) {
+        if (at_[0] == '*' && at_[1] == '/') {
+            at_ += 2;
+            if (--depth == 0) return;
+        } else if (at_[0] == '/' && at_[1] == '*') {
+            at_ += 2;
+            ++depth;
+        } else {
+            check_code_point();
+        }
+    }
+    diagnostics_.error(Code::E0011, span_from(opening, opening + 2), "this comment is never closed")
+        .with_help("close it with `*/`; comments may be nested, each needs its own");
+}
+
+// Steps over one code point of text that is not looked at: a comment or a string.
+void Lexer::check_code_point() {
+    const auto byte = static_cast<unsigned char>(*at_);
+    if (byte < 0x80) {
+        ++at_;
+        return;
+    }
+    const CodePoint point = decode_utf8({at_, static_cast<std::size_t>(end_ - at_)});
+    if (point.length > 0) {
+        at_ += point.length;
+        return;
+    }
+    if (!has_invalid_utf8_) {  // once per file: the encoding is wrong, not the byte
+        diagnostics_
+            .error(Code::E0002, span_from(at_, at_ + 1),
+                   fmt::format("the byte 0x{:02x} is not UTF-8", byte))
+            .with_help("save the file with the encoding UTF-8");
+        has_invalid_utf8_ = true;
+    }
+    ++at_;
+}
+
 // A name with letters beyond ASCII: reported, then read as the name it looks like.
 Token Lexer::foreign_character() {
     const CodePoint here = decode_utf8({at_, static_cast<std::size_t>(end_ - at_)});

@@ -1,11 +1,9 @@
 // The parser's expressions.
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <utility>
 
-#include "image/srgb.h"
-#include "parser/syntax/characters.h"
 #include "parser/syntax/parser_state.h"
 
 namespace lray::parser {
@@ -29,43 +27,24 @@ constexpr unsigned kComparisonPriority = binary_priority(TokenKind::less);
 static_assert(binary_priority(TokenKind::kw_and) < kNotPriority &&
               kNotPriority < kComparisonPriority);
 
-/// Returns what to write in place of a foreign operator, with spaces where a word would run into
-/// its neighbours; empty where that is not sure: `not` binds less tightly than `!`.
-std::string own_operator(std::string_view text, const Token& token) {
-    const std::string_view foreign = text.substr(token.offset, token.length);
-    if (foreign == "**") return "^";
-    if (foreign != "&&" && foreign != "||") return {};
-    const auto is_space = [&](std::size_t at) {
-        return at < text.size() && (text[at] == ' ' || text[at] == '\t');
-    };
-    const bool stands_apart = token.offset > 0 && is_space(token.offset - 1);
-    return fmt::format("{}{}{}", stands_apart ? "" : " ", foreign == "&&" ? "and" : "or",
-                       is_space(token.end()) ? "" : " ");
-}
-
 }  // namespace
 
-// expr = "if" expr "then" expr "else" expr | or
+// expr = "if" expr "then" expr "else" expr | "fn" "(" [ params ] ")" "=" expr | or
 Expr* Parser::expression() {
     const Nested nested(*this, span_of(token_));
     if (!nested.fits()) return error_expr(span_of(token_));
     if (token_.kind == TokenKind::kw_if) return conditional();
+    const bool is_next_item = token_.kind == TokenKind::kw_fn && token_.newline_before &&
+                              ahead().kind == TokenKind::identifier;
+    if (token_.kind == TokenKind::kw_fn && !is_next_item) return function_value();
     return binary(0);
 }
 
 Expr* Parser::conditional() {
     const std::uint32_t begin = token_.offset;
     advance();
-    Expr* condition = expression();
+    Expr* condition = compared(expression());
     if (is_panicking_) return condition;
-    if (token_.kind == TokenKind::equal) {
-        error(Code::E0111, span_of(token_), "use `==` to compare");
-        is_panicking_ = false;
-        advance();
-        expression();
-        condition = error_expr(condition->span);
-        is_panicking_ = false;
-    }
     const auto expect = [&](TokenKind kind, std::string_view word) {
         if (token_.kind == kind) {
             advance();
@@ -88,6 +67,16 @@ Expr* Parser::conditional() {
     return result;
 }
 
+// After the left side of a comparison: `=` where `==` is meant.
+Expr* Parser::compared(Expr* left) {
+    if (is_panicking_ || token_.kind != TokenKind::equal || !continues_line()) return left;
+    error(Code::E0111, span_of(token_), "use `==` to compare");
+    is_panicking_ = false;
+    advance();
+    expression();
+    return error_expr(left->span);
+}
+
 // or  = and { "or" and } ;  and = not { "and" not } ;  not = "not" not | cmp
 // cmp = sum [ ( "==" | "!=" | "<" | "<=" | ">" | ">=" ) sum ]
 // sum = term { ( "+" | "-" ) term } ;  term = unary { ( "*" | "/" | "%" ) unary }
@@ -108,8 +97,10 @@ Expr* Parser::binary(unsigned limit) {
     }
     while (!is_panicking_) {
         if (token_.kind == TokenKind::foreign && continues_line()) {
-            foreign_operator(left);
-            break;
+            const bool is_arrow = text_of(token_) == "=>" || text_of(token_) == "->";
+            foreign_operator(left, true);
+            // In front of an arrow stands a parameter, not the use of a name.
+            return is_arrow ? error_expr(left->span) : left;
         }
         const unsigned priority = binary_priority(token_.kind);
         if (priority <= limit || !continues_line()) break;
@@ -194,15 +185,16 @@ Expr* Parser::postfix() {
 }
 
 // What follows a primary: an index may follow what stands in parentheses, too.
-Expr* Parser::postfix_of(Expr* object, bool is_grouped) {
+Expr* Parser::postfix_of(Expr* object, bool is_grouped, bool is_placed) {
     while (!is_panicking_) {
         const bool is_head = object->kind == ExprKind::name || object->kind == ExprKind::member ||
                              object->kind == ExprKind::index || object->kind == ExprKind::call ||
                              object->kind == ExprKind::block;
-        const bool is_list =
-            object->kind == ExprKind::list || object->kind == ExprKind::packed_list;
-        if (token_.kind == TokenKind::left_brace && is_head) {
-            object = block(object);
+        const bool is_list = object->kind == ExprKind::list ||
+                             object->kind == ExprKind::packed_list ||
+                             object->kind == ExprKind::comprehension;
+        if (token_.kind == TokenKind::left_brace && is_head && !is_condition_) {
+            object = block(object, is_placed);
             continue;
         }
         if (!continues_line()) return object;
@@ -222,10 +214,12 @@ Expr* Parser::postfix_of(Expr* object, bool is_grouped) {
             object = made;
         } else if (token_.kind == TokenKind::left_bracket && (is_head || is_list || is_grouped)) {
             const Token opener = token_;
-            ++bracket_depth_;
-            advance();
-            Expr* index = expression();
-            --bracket_depth_;
+            Expr* index = nullptr;
+            {
+                const InBrackets in_brackets(*this);
+                advance();
+                index = expression();
+            }
             if (is_list && token_.kind == TokenKind::comma) {  // `[[1, 2] [3, 4]]`
                 error(Code::E0106, span_of(opener), "expected `,` before `[`");
             }
@@ -236,9 +230,9 @@ Expr* Parser::postfix_of(Expr* object, bool is_grouped) {
             object = made;
         } else if (token_.kind == TokenKind::left_paren && is_head) {
             object = call(object);
-        } else if (token_.kind == TokenKind::string && is_head &&
+        } else if (token_.kind == TokenKind::string && is_head && !is_condition_ &&
                    ahead().kind == TokenKind::left_brace) {
-            object = block(object);
+            object = block(object, is_placed);
         } else {
             return object;
         }
@@ -252,7 +246,7 @@ Expr* Parser::call(Expr* callee) {
     const std::uint32_t begin = callee->span.offset;
     std::vector<Argument> arguments;
     std::uint32_t depth = callee->depth;
-    ++bracket_depth_;
+    std::optional<InBrackets> in_brackets(std::in_place, *this);
     advance();
     while (token_.kind != TokenKind::right_paren && !is_panicking_ && !is_ended_) {
         Argument argument;
@@ -263,12 +257,23 @@ Expr* Parser::call(Expr* callee) {
             advance();
         }
         argument.value = expression();
+        if (token_.kind == TokenKind::equal && argument.value->kind == ExprKind::name) {
+            const NameExpr& name = static_cast<const NameExpr&>(*argument.value);
+            error(Code::E0107, span_of(token_),
+                  fmt::format("an argument with a name is written `{}: ...`",
+                              context_.symbols.text(name.symbol)));
+            is_panicking_ = false;
+            argument.name = name.symbol;
+            argument.name_span = name.span;
+            advance();
+            argument.value = expression();
+        }
         depth = std::max<std::uint32_t>(depth, argument.value->depth);
         arguments.push_back(argument);
         if (token_.kind != TokenKind::comma) break;
         advance();
     }
-    --bracket_depth_;
+    in_brackets.reset();
     if (!close(TokenKind::right_paren, opener)) return error_expr(span_from(begin));
     CallExpr* made = make<CallExpr>(ExprKind::call, span_from(begin), {callee});
     made->depth = static_cast<std::uint16_t>(depth + 1);
@@ -279,7 +284,7 @@ Expr* Parser::call(Expr* callee) {
 }
 
 // block = head [ STRING ] body
-Expr* Parser::block(Expr* head) {
+Expr* Parser::block(Expr* head, bool is_placed) {
     const Nested nested(*this, span_of(token_));
     if (!nested.fits()) return error_expr(head->span);
     const std::uint32_t begin = head->span.offset;
@@ -288,175 +293,13 @@ Expr* Parser::block(Expr* head) {
         Expr* made = string();
         if (made->kind == ExprKind::string) label = static_cast<StringExpr*>(made);
     }
-    const Body made_body = body(context_.sources.text(head->span));
+    const Body made_body = body(context_.sources.text(head->span),
+                                is_placed ? around_.placed_block() : around_.value_block());
     BlockExpr* made = make<BlockExpr>(ExprKind::block, span_from(begin), {head});
     made->head = head;
     made->label = label;
     made->body = made_body;
     return made;
-}
-
-// primary = NUMBER | STRING | COLOR | "true" | "false" | IDENT | "(" expr ")" | list
-Expr* Parser::primary() {
-    const Token token = token_;
-    if (token.kind == TokenKind::string) return string();
-    if (token.kind == TokenKind::color) return color();
-    if (token.kind == TokenKind::left_bracket) return list();
-    if (token.kind == TokenKind::number) {
-        advance();
-        NumberExpr* made = make<NumberExpr>(ExprKind::number, span_of(token));
-        made->value = token.number;
-        made->has_unit = token.has_unit;
-        return made;
-    }
-    if (is_one_of(token.kind, TokenKind::kw_true, TokenKind::kw_false)) {
-        advance();
-        BooleanExpr* made = make<BooleanExpr>(ExprKind::boolean, span_of(token));
-        made->value = token.kind == TokenKind::kw_true;
-        return made;
-    }
-    if (token.kind == TokenKind::identifier) {
-        advance();
-        NameExpr* made = make<NameExpr>(ExprKind::name, span_of(token));
-        made->symbol = token.symbol;
-        return made;
-    }
-    if (token.kind == TokenKind::left_paren) {
-        ++bracket_depth_;
-        advance();
-        Expr* inner = expression();
-        --bracket_depth_;
-        close(TokenKind::right_paren, token);
-        return inner;
-    }
-    missing_value();
-    return error_expr(span_of(token));
-}
-
-void Parser::missing_value() {
-    const Token token = token_;
-    if (token.kind == TokenKind::less) {
-        error(Code::E0109, span_of(token), "vectors are written `[1, 2, 3]`");
-        while (token_.kind != TokenKind::greater && token_.kind != TokenKind::end &&
-               token_.kind != TokenKind::left_brace && token_.kind != TokenKind::right_brace &&
-               !ahead().newline_before) {
-            advance();
-        }
-        if (token_.kind == TokenKind::greater) {
-            advance();
-            is_panicking_ = false;
-        }
-        return;
-    }
-    if (token.kind == TokenKind::foreign) {
-        foreign_operator(nullptr);
-        return;
-    }
-    if (is_future_keyword(token.kind)) {
-        error(Code::E0120, span_of(token),
-              fmt::format("`{}` is not available in this version of lray", text_of(token)));
-        return;
-    }
-    const bool is_elsewhere = token.newline_before || token.kind == TokenKind::end;
-    error(Code::E0109, is_elsewhere ? here() : span_of(token),
-          is_elsewhere ? std::string("expected a value")
-                       : fmt::format("expected a value, found {}", describe(token)));
-}
-
-// list = "[" "]" | "[" expr { "," expr } [ "," ] "]"
-Expr* Parser::list() {
-    if (Expr* packed = packed_list()) return packed;
-    const Token opener = token_;
-    const Nested nested(*this, span_of(opener));
-    if (!nested.fits()) return error_expr(span_of(opener));
-    std::vector<Expr*> elements;
-    std::uint32_t depth = 0;
-    ++bracket_depth_;
-    advance();
-    if (token_.kind == TokenKind::kw_for) {
-        error(Code::E0120, span_of(token_), "`for` is not available in this version of lray");
-        --bracket_depth_;
-        return error_expr(span_of(opener));
-    }
-    while (token_.kind != TokenKind::right_bracket && !is_panicking_ && !is_ended_) {
-        const bool is_property =
-            token_.kind == TokenKind::identifier && ahead().kind == TokenKind::colon;
-        if (is_property) {  // the list was not closed, and its last comma is a separator
-            is_separated_ = true;
-            break;
-        }
-        elements.push_back(expression());
-        depth = std::max<std::uint32_t>(depth, elements.back()->depth);
-        if (token_.kind != TokenKind::comma) break;
-        advance();
-    }
-    --bracket_depth_;
-    if (!close(TokenKind::right_bracket, opener)) return error_expr(span_from(opener.offset));
-    ListExpr* made = make<ListExpr>(ExprKind::list, span_from(opener.offset));
-    made->depth = static_cast<std::uint16_t>(depth + 1);
-    made->elements = context_.arena.copy(elements);
-    if (depth + 1 > context_.max_nesting) too_deep(made->span);
-    return made;
-}
-
-Expr* Parser::string() {
-    const Token token = token_;
-    advance();
-    const std::string_view text = text_of(token);
-    std::string_view inner = text.substr(token.quote_size);
-    const bool is_closed = token.quote_size > 1 || (!inner.empty() && inner.back() == text.front());
-    if (is_closed) inner.remove_suffix(token.quote_size);
-    const Span inner_span = lexer_.span(token.offset + token.quote_size, token.end());
-    std::string buffer;
-    const std::string_view value = unescape(inner, inner_span, buffer, diagnostics_);
-    StringExpr* made = make<StringExpr>(ExprKind::string, span_of(token));
-    made->value = context_.arena.copy(value);
-    return made;
-}
-
-// `#rgb`, `#rrggbb`, `#rrggbbaa`: sRGB as a colour picker shows it.
-Expr* Parser::color() {
-    const Token token = token_;
-    advance();
-    const std::string_view digits = text_of(token).substr(1);
-    const auto digit = [&](std::size_t i) {
-        const char c = digits[i];
-        return c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10;
-    };
-    ColorExpr* made = make<ColorExpr>(ExprKind::color, span_of(token));
-    const bool is_short = digits.size() == 3;
-    if (!is_short && digits.size() != 6 && digits.size() != 8) {  // reported by the lexer
-        made->rgba[3] = 1.0;
-        return made;
-    }
-    made->rgba[3] = 1.0;
-    for (std::size_t i = 0; i < (is_short ? 3 : digits.size() / 2); ++i) {
-        const int byte = is_short ? digit(i) * 17 : digit(2 * i) * 16 + digit(2 * i + 1);
-        const double encoded = byte / 255.0;
-        made->rgba[i] = i < 3 ? image::srgb_decode(encoded) : encoded;
-    }
-    return made;
-}
-
-// An operator of another language; `left` is what stands before it.
-void Parser::foreign_operator(const Expr* left) {
-    const Token token = token_;
-    const std::string_view text = text_of(token);
-    std::string message(foreign_operator_fix(text));
-    if (message.empty()) {  // `+=` and its like
-        const std::string_view name =
-            left != nullptr ? context_.sources.text(left->span) : std::string_view("i");
-        advance();
-        const std::uint32_t begin = token_.offset;
-        const bool has_value = !token_.newline_before && token_.kind != TokenKind::end;
-        if (has_value) expression();
-        const std::string_view value =
-            has_value && !is_panicking_ ? context_.sources.text(span_from(begin)) : "1";
-        message = fmt::format("write `{0} = {0} {1} {2}`", name, text.substr(0, 1), value);
-    }
-    Diagnostic& diagnostic = error(Code::E0112, span_of(token), std::move(message));
-    const std::string ours = own_operator(context_.sources[source_].text.view(), token);
-    if (!ours.empty()) diagnostic.with_fix(span_of(token), ours);
 }
 
 }  // namespace lray::parser

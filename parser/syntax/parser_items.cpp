@@ -50,6 +50,7 @@ ParsedFile Parser::file() {
     ParsedFile result;
     result.items = items(true);
     result.includes = std::move(includes_);
+    result.imports = std::move(imports_);
     result.is_structure_known = is_structure_known_;
     return result;
 }
@@ -73,17 +74,10 @@ void Parser::version() {
     }
 }
 
-// The version of an included file stands at its begin, too.
-void Parser::misplaced_version() {
-    error(Code::E0118, span_of(token_), "`lrs` and a version stand at the very begin of a file");
-    skip_line();
-    is_panicking_ = false;
-}
-
 // items = { SEP } [ item { sep item } ] { SEP }
 // sep   = SEP { SEP } | (* empty, if the previous item ended in "}" *)
 std::span<Item* const> Parser::items(bool is_file) {
-    std::vector<Item*> result;
+    const std::size_t first = open_items_.size();
     bool is_first = true;
     while (!is_ended_) {
         bool is_separated = std::exchange(is_separated_, false) || is_first;
@@ -102,6 +96,8 @@ std::span<Item* const> Parser::items(bool is_file) {
             continue;
         }
         if (!is_file && is_dedented(token_)) break;
+        // An `else` in the body of an `if` belongs behind its `}`, which is missing.
+        if (token_.kind == TokenKind::kw_else && around_.is_if_branch) break;
         const bool follows_brace = previous_end_ > 0 && lexer_.begin()[previous_end_ - 1] == '}';
         if (!is_separated && !token_.newline_before && !follows_brace) {
             error(Code::E0105, span_of(token_),
@@ -111,60 +107,49 @@ std::span<Item* const> Parser::items(bool is_file) {
         const std::uint32_t begin = token_.offset;
         Item* const read = item();
         if (read != nullptr) {
-            const bool extends_literals = read->kind == ItemKind::literals && !result.empty() &&
-                                          result.back()->kind == ItemKind::literals;
+            const bool extends_literals = read->kind == ItemKind::literals &&
+                                          open_items_.size() > first &&
+                                          open_items_.back()->kind == ItemKind::literals;
             if (extends_literals) {
-                ++static_cast<LiteralsItem*>(result.back())->count;
+                ++static_cast<LiteralsItem*>(open_items_.back())->count;
             } else {
-                result.push_back(read);
+                open_items_.push_back(read);
             }
         }
         if (is_panicking_) synchronize();
         if (token_.offset == begin && token_.kind != TokenKind::end && !is_ended_) advance();
         is_first = false;
     }
-    return context_.arena.copy(result);
+    const std::span<Item* const> read(open_items_.begin() + static_cast<std::ptrdiff_t>(first),
+                                      open_items_.end());
+    const std::span<Item* const> result = context_.arena.copy(read);
+    open_items_.resize(first);
+    return result;
 }
 
+// item = let | var | param | fn | component | include | import | if | for | while | "break"
+//      | "continue" | return | head_item
 Item* Parser::item() {
     if (token_.kind == TokenKind::identifier) return head_item();
-    if (token_.kind == TokenKind::kw_let) return let();
-    if (token_.kind == TokenKind::kw_include) return include();
-    if (is_future_keyword(token_.kind) || token_.kind == TokenKind::kw_if) {
-        return future_statement();
-    }
+    if (is_item_keyword(token_.kind)) return keyword_item();
     bad_statement();
     return nullptr;
 }
 
-// A keyword whose statement this version does not have, or a word kept for later.
-Item* Parser::future_statement() {
-    const Token keyword = token_;
-    const std::string_view text = text_of(keyword);
-    if (is_one_of(keyword.kind, TokenKind::kw_break, TokenKind::kw_continue)) {
-        error(Code::E0119, span_of(keyword), fmt::format("`{}` outside a loop", text));
-    } else if (keyword.kind == TokenKind::kw_return) {
-        error(Code::E0119, span_of(keyword), "`return` outside a function");
-    } else if (keyword.kind == TokenKind::kw_if) {
-        error(Code::E0120, span_of(keyword), "`if { }` is not available in this version of lray")
-            .with_help("a value can be chosen: `if a then b else c`");
-        skip_balanced();
-        while (token_.kind == TokenKind::kw_else) {
-            advance();
-            skip_balanced();
-        }
-        is_panicking_ = false;
-        return nullptr;
-    } else if (keyword.kind < TokenKind::kw_match) {
-        error(Code::E0120, span_of(keyword),
-              fmt::format("`{}` is not available in this version of lray", text));
-    } else {
-        error(Code::E0114, span_of(keyword),
-              fmt::format("`{}` is a keyword, kept for later", text));
-    }
-    skip_balanced();
-    is_panicking_ = false;
-    return nullptr;
+Item* Parser::keyword_item() {
+    const TokenKind kind = token_.kind;
+    if (kind == TokenKind::kw_let) return let(LetKind::let);
+    if (kind == TokenKind::kw_var) return let(LetKind::var);
+    if (kind == TokenKind::kw_param) return let(LetKind::param);
+    if (kind == TokenKind::kw_fn) return function();
+    if (kind == TokenKind::kw_component) return component();
+    if (kind == TokenKind::kw_include) return include();
+    if (kind == TokenKind::kw_import) return import();
+    if (kind == TokenKind::kw_if) return if_statement();
+    if (kind == TokenKind::kw_for) return for_statement();
+    if (kind == TokenKind::kw_while) return while_statement();
+    if (kind == TokenKind::kw_return) return return_statement();
+    return jump();
 }
 
 void Parser::bad_statement() {
@@ -180,6 +165,12 @@ void Parser::bad_statement() {
         error(Code::E0117, span_of(token), "`else` without `if`");
     } else if (token.kind == foreign) {
         foreign_operator(nullptr);
+    } else if (is_reserved_word(token.kind)) {
+        error(Code::E0114, span_of(token),
+              fmt::format("`{}` is a keyword, kept for later", text_of(token)));
+        skip_balanced();
+        is_panicking_ = false;
+        return;
     } else if (token.kind == left_brace) {
         error(Code::E0108, span_of(token), "this `{` has nothing in front of it")
             .with_help("write `group {` to put things together");
@@ -194,78 +185,12 @@ void Parser::bad_statement() {
     is_panicking_ = false;
 }
 
-// let = "let" IDENT "=" expr
-Item* Parser::let() {
-    const std::uint32_t begin = token_.offset;
-    advance();
-    if (is_keyword(token_.kind) && !token_.newline_before) {
-        error(Code::E0114, span_of(token_),
-              fmt::format("`{}` is a keyword; choose another name", text_of(token_)));
-        return nullptr;
-    }
-    if (token_.kind != TokenKind::identifier || token_.newline_before) {
-        error(Code::E0102, token_.newline_before ? here() : span_of(token_),
-              "expected a name after `let`");
-        return nullptr;
-    }
-    const Token name = token_;
-    advance();
-    if (token_.kind == TokenKind::colon) {
-        error(Code::E0120, span_of(token_),
-              "types of names are not available in this version of lray")
-            .with_help(fmt::format("write `let {} = ...`", text_of(name)));
-        return nullptr;
-    }
-    LetItem* result = make_item<LetItem>(ItemKind::let, span_of(name));
-    result->name = name.symbol;
-    result->name_span = span_of(name);
-    if (token_.kind == TokenKind::foreign && continues_line()) {
-        foreign_operator(nullptr);
-        result->value = error_expr(span_of(name));
-    } else if (token_.kind != TokenKind::equal) {
-        error(Code::E0107, here(), fmt::format("expected `=` after `{}`", text_of(name)));
-        result->value = error_expr(span_of(name));
-    } else {
-        advance();
-        result->value = value();
-    }
-    result->span = span_from(begin);
-    return result;
-}
-
-// The value of a property or name.
-Expr* Parser::value() {
-    Expr* read = expression();
-    if (skip_list_without_opener(*read)) return error_expr(read->span);
-    if (read->kind != ExprKind::name) return read;
-    const bool is_block = find_block(static_cast<NameExpr*>(read)->symbol) != nullptr;
-    const bool may_lack_brace =
-        token_.newline_before ? is_block : line_closes_too_many_braces(token_);
-    if (may_lack_brace && read_block_without_brace(read->span)) return error_expr(read->span);
-    return read;
-}
-
-// include = "include" STRING
-Item* Parser::include() {
-    const std::uint32_t begin = token_.offset;
-    advance();
-    if (token_.kind != TokenKind::string || token_.newline_before) {
-        error(Code::E0109, token_.newline_before ? here() : span_of(token_),
-              "`include` needs a file name in quotes, like \"materials.lrs\"");
-        return nullptr;
-    }
-    IncludeItem* result = make_item<IncludeItem>(ItemKind::include, span_of(token_));
-    result->path = static_cast<StringExpr*>(string());
-    result->span = span_from(begin);
-    includes_.push_back(result);
-    return result;
-}
-
 // head_item = IDENT ":" expr | IDENT "=" expr | head [ STRING ] body | head
 Item* Parser::head_item() {
     scene::NodeId node;
     // The short cut trusts braces; the second run over a file does not.
-    const bool may_be_literal = context_.use_literal_fast_path && structure_ == Structure::braces;
+    const bool may_be_literal = context_.use_literal_fast_path && structure_ == Structure::braces &&
+                                !around_.runs_any_times;
     if (may_be_literal && literal_block(token_, node)) {
         LiteralsItem* result =
             make_item<LiteralsItem>(ItemKind::literals, context_.scene.node(node).span);
@@ -289,7 +214,7 @@ Item* Parser::head_item() {
     NameExpr* head = make<NameExpr>(ExprKind::name, span_of(name));
     head->symbol = name.symbol;
     advance();
-    return statement_expression(postfix_of(head));
+    return statement_expression(postfix_of(head, false, true));
 }
 
 // property = IDENT ":" expr
@@ -301,10 +226,10 @@ Item* Parser::property() {
     advance();
     advance();
     // A value may stand on the next line, but the next property or the end is no value.
-    const bool has_value = token_.kind != TokenKind::right_brace &&
-                           token_.kind != TokenKind::comma && token_.kind != TokenKind::semicolon &&
-                           token_.kind != TokenKind::end &&
-                           !(token_.newline_before && starts_item(token_, ahead()));
+    const bool has_value =
+        token_.kind != TokenKind::right_brace && token_.kind != TokenKind::comma &&
+        token_.kind != TokenKind::semicolon && token_.kind != TokenKind::end &&
+        !(token_.newline_before && token_.kind != TokenKind::kw_if && starts_item(token_, ahead()));
     if (!has_value) {
         error(Code::E0109, span_of(name),
               fmt::format("`{}:` needs a value, like `1`", text_of(name)));
@@ -330,7 +255,8 @@ Item* Parser::statement_expression(Expr* head) {
         AssignmentItem* result = make_item<AssignmentItem>(ItemKind::assignment, span);
         result->target = head;
         advance();
-        result->value = expression();
+        result->value = value();
+        result->span = span_from(span.offset);
         return result;
     }
     if (token_.kind == TokenKind::foreign && continues_line()) {
@@ -355,40 +281,8 @@ Item* Parser::statement_expression(Expr* head) {
     return nullptr;
 }
 
-// `i++` and `i--`.
-bool Parser::step_operator(const Expr& head) {
-    const bool is_sign = token_.kind == TokenKind::plus || token_.kind == TokenKind::minus;
-    const bool is_doubled = is_sign && ahead().kind == token_.kind && continues_line() &&
-                            ahead().offset == token_.end();
-    if (!is_doubled) return false;
-    error(
-        Code::E0112, lexer_.span(token_.offset, ahead().end()),
-        fmt::format("write `{0} = {0} {1} 1`", context_.sources.text(head.span), text_of(token_)));
-    return true;
-}
-
-// A name with a value behind it and nothing in between.
-Item* Parser::misplaced_name(const Token& name) {
-    const Token next = ahead();
-    const std::string_view text = text_of(name);
-    const bool is_block = find_block(text) != nullptr;
-    advance();
-    if (next.kind == TokenKind::identifier && ahead().kind == TokenKind::left_brace && is_block) {
-        error(Code::E0107, span_of(next),
-              fmt::format("write `let {} = {} {{ ... }}`", text_of(next), text))
-            .with_help(fmt::format("or, as a label: `{} \"{}\" {{ ... }}`", text, text_of(next)));
-        advance();
-        skip_balanced();
-        is_panicking_ = false;
-        return nullptr;
-    }
-    if (read_block_without_brace(span_of(name))) return nullptr;
-    error(Code::E0107, here(), fmt::format("expected `:` after `{}`", text));
-    return nullptr;
-}
-
 // body = "{" items "}"
-Body Parser::body(std::string_view head) {
+Body Parser::body(std::string_view head, const Surroundings& around) {
     const Token open = token_;
     Body result;
     result.open = span_of(open);
@@ -397,11 +291,15 @@ Body Parser::body(std::string_view head) {
         is_panicking_ = false;
     }
     const std::uint32_t outer_brackets = std::exchange(bracket_depth_, 0u);
+    const bool was_condition = std::exchange(is_condition_, false);
+    const Surroundings outer = std::exchange(around_, around);
     openers_.push_back({open.offset, line_indent(open.offset)});
     advance();
     result.items = items(false);
     const bool is_closed = token_.kind == TokenKind::right_brace && !closes_outer_block(token_);
     openers_.pop_back();
+    around_ = outer;
+    is_condition_ = was_condition;
     bracket_depth_ = outer_brackets;
     result.close = span_of(token_);
     if (is_closed) {

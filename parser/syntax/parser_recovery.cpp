@@ -144,10 +144,20 @@ void Parser::skip_balanced() {
     }
 }
 
+// Skips the statement at hand, and the lines below that stand further in than its head.
+void Parser::skip_with_lines_below(const Token& head) {
+    const std::uint32_t indent = line_indent(head.offset);
+    do {
+        skip_balanced();
+    } while (token_.newline_before && !is_closing(token_.kind) && token_.kind != TokenKind::end &&
+             line_indent(token_.offset) > indent);
+    is_panicking_ = false;
+}
+
 // True for a token that can only be the begin of an item, when it stands first on a line.
 bool Parser::starts_item(const Token& token, const Token& after) const {
-    if (token.kind == TokenKind::kw_let || token.kind == TokenKind::kw_include) return true;
-    if (token.kind >= TokenKind::kw_var && token.kind <= TokenKind::kw_return) return true;
+    if (token.kind == TokenKind::kw_fn) return after.kind == TokenKind::identifier;
+    if (is_item_keyword(token.kind)) return true;
     if (token.kind != TokenKind::identifier) return false;
     return after.kind == TokenKind::colon || after.kind == TokenKind::left_brace ||
            after.kind == TokenKind::equal || after.kind == TokenKind::string;
@@ -228,7 +238,7 @@ bool Parser::close(TokenKind closer, const Token& opener) {
     if (is_other_closer) {
         error(Code::E0101, span_of(token_), fmt::format("{}, found `{}`", missing, text_of(token_)))
             .with_label(span_of(opener), "opened here");
-    } else if (is_next_item) {
+    } else if (is_next_item || token_.kind == TokenKind::left_brace) {
         error(Code::E0101, here(), missing).with_label(span_of(opener), "opened here");
     } else if (token_.kind == TokenKind::comma) {  // of the list around `(a + b`, or of an index
         error(Code::E0101, here(), missing).with_label(span_of(opener), "opened here");
@@ -297,6 +307,7 @@ bool Parser::skip_list_without_opener(const Expr& value) {
     while (!is_one_of(token_.kind, right_brace, semicolon, end)) {
         const bool may_start_item = token_.newline_before || (is_behind_comma && !has_closer);
         if (may_start_item && starts_item(token_, ahead())) break;
+        if (is_condition_ && token_.kind == left_brace && depth == 0) break;
         const bool is_closer = is_one_of(token_.kind, right_bracket, right_paren);
         const bool is_complete = depth == 0 && !has_closer && !is_behind_comma && !is_closer;
         if (is_complete && token_.newline_before) break;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "parser/syntax/parser.h"
@@ -11,6 +14,74 @@ namespace lray::parser {
 /// Whom to believe when braces do not match: the braces first, and in a second run over the file
 /// the indentation.
 enum class Structure : std::uint8_t { braces, indentation };
+
+/// What the items that are read stand in.
+struct Surroundings {
+    bool is_file_level = true;
+    bool is_in_loop = false;
+    bool is_in_function = false;
+    bool is_in_component = false;
+    bool is_if_branch = false;      // an `else` ends it
+    bool runs_any_times = false;    // not once: nothing in it may become a node by being read
+    bool has_loop_outside = false;  // which cannot be left from in here
+    bool has_function_outside = false;
+
+    Surroundings placed_block() const {
+        Surroundings inner = *this;
+        inner.is_file_level = false;
+        inner.is_if_branch = false;
+        return inner;
+    }
+    Surroundings branch() const {
+        Surroundings inner = placed_block();
+        inner.is_if_branch = true;
+        inner.runs_any_times = true;
+        return inner;
+    }
+    Surroundings loop() const {
+        Surroundings inner = placed_block();
+        inner.is_in_loop = true;
+        inner.runs_any_times = true;
+        return inner;
+    }
+    /// No loop and no function around a value can be left from inside it.
+    Surroundings value_block() const {
+        Surroundings inner;
+        inner.is_file_level = false;
+        inner.runs_any_times = runs_any_times;
+        inner.has_loop_outside = is_in_loop || has_loop_outside;
+        inner.has_function_outside = is_in_function || has_function_outside;
+        return inner;
+    }
+    Surroundings function() const {
+        Surroundings inner = value_block();
+        inner.is_in_function = true;
+        inner.runs_any_times = true;
+        return inner;
+    }
+    Surroundings function_value() const {
+        Surroundings inner = value_block();
+        inner.runs_any_times = true;
+        return inner;
+    }
+    Surroundings component() const {
+        Surroundings inner = value_block();
+        inner.is_in_component = true;
+        inner.runs_any_times = true;
+        return inner;
+    }
+};
+
+/// `i, x` of a loop over a list.
+struct LoopNames {
+    Symbol index_name = kNoSymbol;  // none: only the element has a name
+    Span index_span{};
+    Symbol element_name = kNoSymbol;
+    Span element_span{};
+};
+
+/// Returns what a type of another language is called here; empty when it is not known.
+std::string_view usual_type(std::string_view word);
 
 class Parser {
  public:
@@ -22,37 +93,74 @@ class Parser {
     // parser_items.cpp
     std::span<Item* const> items(bool is_file);
     Item* item();
-    Item* let();
-    Item* include();
+    Item* keyword_item();
     Item* head_item();
     Item* property();
     Item* statement_expression(Expr* head);
-    bool step_operator(const Expr& head);
-    Item* misplaced_name(const Token& name);
-    Body body(std::string_view head);
+    Body body(std::string_view head, const Surroundings& around);
     void version();
-    void misplaced_version();
-    Item* future_statement();
     void bad_statement();
+
+    // parser_definitions.cpp
+    Item* let(LetKind kind);
+    void annotation(LetItem& item);
+    void choices(LetItem& param);
+    std::optional<Token> new_name(std::string_view after);
+    TypeName type();
+    std::string_view doc_comment();
+    Expr* value();
+    Item* include();
+    Item* import();
+    bool alias(ImportItem& item);
+    Item* poisoned(const Token& name);
+
+    // parser_functions.cpp
+    Item* function();
+    Item* component();
+    Expr* function_value();
+    bool parameters(Function& function, std::string_view head);
+    bool parameter(std::vector<ParameterDecl>& list);
+    bool function_result(Function& function, const Token& name);
+
+    // parser_statements.cpp
+    Item* if_statement();
+    void else_branch(ConditionalItem& item, const Surroundings& around);
+    Item* for_statement();
+    Item* while_statement();
+    Item* jump();
+    Item* return_statement();
+    Expr* condition(const Token& keyword, std::string_view missing);
+    std::optional<LoopNames> loop_names(std::string_view example);
+    Body statement_body(const Token& head, const Surroundings& around);
+    void items_without_braces(const Token& head, const Surroundings& around);
+    bool skip_to_body();
 
     // parser_expr.cpp
     Expr* expression();
-    Expr* value();
+    Expr* conditional();
+    Expr* compared(Expr* left);
     Expr* binary(unsigned limit);
     Expr* unary();
     Expr* power();
     Expr* postfix();
-    Expr* postfix_of(Expr* object, bool is_grouped = false);
-    Expr* primary();
-    Expr* conditional();
-    Expr* list();
+    Expr* postfix_of(Expr* object, bool is_grouped = false, bool is_placed = false);
     Expr* call(Expr* callee);
-    Expr* block(Expr* head);
+    Expr* block(Expr* head, bool is_placed);
+    void chained_comparison(const BinaryExpr& first);
+
+    // parser_primary.cpp
+    Expr* primary();
+    Expr* list();
+    Expr* comprehension(const Token& opener);
     Expr* string();
     Expr* color();
-    void foreign_operator(const Expr* left);
-    void chained_comparison(const BinaryExpr& first);
     void missing_value();
+
+    // parser_habits.cpp
+    void foreign_operator(const Expr* left, bool is_value = false);
+    bool step_operator(const Expr& head);
+    Item* misplaced_name(const Token& name);
+    void misplaced_version();
 
     // packed_list.cpp
     Expr* packed_list();
@@ -64,6 +172,7 @@ class Parser {
     void synchronize();
     void skip_line();
     void skip_balanced();
+    void skip_with_lines_below(const Token& head);
     bool starts_item(const Token& token, const Token& after) const;
     bool starts_item_on_new_line();
     bool is_dedented(const Token& token);
@@ -105,6 +214,7 @@ class Parser {
     };
 
     class Nested;
+    class InBrackets;
 
     ParseContext& context_;
     Diagnostics& diagnostics_;
@@ -122,7 +232,11 @@ class Parser {
     std::uint32_t last_line_seen_ = 0;
 
     std::vector<Opener> openers_;
+    std::vector<Item*> open_items_;  // of the blocks that are being read, innermost last
     std::vector<IncludeItem*> includes_;
+    std::vector<ImportItem*> imports_;
+    Surroundings around_;
+    bool is_condition_ = false;        // a `{` opens the body behind it, not a block
     std::uint32_t bracket_depth_ = 0;  // of ( and [ inside the innermost {
     std::uint32_t nesting_ = 0;
     bool is_panicking_ = false;         // an error was reported in this item: skip to the next
@@ -148,6 +262,25 @@ class Parser::Nested {
  private:
     Parser& parser_;
     bool fits_ = false;
+};
+
+/// Inside ( ) or [ ], as long as it lives: lines do not end anything, and `{` opens a block.
+class Parser::InBrackets {
+ public:
+    explicit InBrackets(Parser& parser) : parser_(parser), is_condition_(parser.is_condition_) {
+        ++parser_.bracket_depth_;
+        parser_.is_condition_ = false;
+    }
+    ~InBrackets() {
+        --parser_.bracket_depth_;
+        parser_.is_condition_ = is_condition_;
+    }
+    InBrackets(const InBrackets&) = delete;
+    InBrackets& operator=(const InBrackets&) = delete;
+
+ private:
+    Parser& parser_;
+    bool is_condition_ = false;
 };
 
 template <class T>

@@ -10,30 +10,32 @@
 namespace lray::parser {
 
 enum class TokenKind : std::uint8_t {
-    // Keywords, in the order of kKeywords. The contextual `lrs` is an identifier.
+    // Keywords, in the order of kKeywords: those that begin an item first. The contextual `lrs` is
+    // an
+    // identifier.
     kw_let,
-    kw_include,
-    kw_if,
-    kw_then,
-    kw_else,
-    kw_and,
-    kw_or,
-    kw_not,
-    kw_true,
-    kw_false,
-    kw_as,
-    kw_in,
-    // Keywords of what this version does not have yet, and words kept for later.
     kw_var,
     kw_param,
     kw_fn,
     kw_component,
+    kw_include,
     kw_import,
+    kw_if,
     kw_for,
     kw_while,
     kw_break,
     kw_continue,
     kw_return,
+    kw_else,
+    kw_then,
+    kw_as,
+    kw_in,
+    kw_and,
+    kw_or,
+    kw_not,
+    kw_true,
+    kw_false,
+    // Words kept for later.
     kw_match,
     kw_struct,
     kw_type,
@@ -76,10 +78,10 @@ enum class TokenKind : std::uint8_t {
 };
 
 inline constexpr std::array<std::string_view, 31> kKeywords = {
-    "let",    "include", "if",     "then",  "else",     "and",    "or",    "not",
-    "true",   "false",   "as",     "in",    "var",      "param",  "fn",    "component",
-    "import", "for",     "while",  "break", "continue", "return", "match", "struct",
-    "type",   "use",     "export", "enum",  "class",    "with",   "yield"};
+    "let",  "var",   "param",  "fn",       "component", "include", "import", "if",
+    "for",  "while", "break",  "continue", "return",    "else",    "then",   "as",
+    "in",   "and",   "or",     "not",      "true",      "false",   "match",  "struct",
+    "type", "use",   "export", "enum",     "class",     "with",    "yield"};
 static_assert(kKeywords.size() == static_cast<std::size_t>(TokenKind::identifier));
 
 template <class... Kinds>
@@ -100,9 +102,14 @@ constexpr bool is_keyword(TokenKind kind) {
     return kind < TokenKind::identifier;
 }
 
-/// A keyword whose construct this version does not have.
-constexpr bool is_future_keyword(TokenKind kind) {
-    return kind >= TokenKind::kw_var && kind < TokenKind::identifier;
+/// A keyword that has no meaning yet.
+constexpr bool is_reserved_word(TokenKind kind) {
+    return kind >= TokenKind::kw_match && kind < TokenKind::identifier;
+}
+
+/// A keyword with which an item begins.
+constexpr bool is_item_keyword(TokenKind kind) {
+    return kind <= TokenKind::kw_return;
 }
 
 /// One token: 24 bytes. Its text is source[offset, offset + length).

@@ -235,10 +235,10 @@ class WordList {
     std::string line_;
 };
 
-std::string keywords(bool of_the_future) {
+std::string keywords(bool of_later) {
     WordList list;
     for (std::size_t i = 0; i < kKeywords.size(); ++i) {
-        if (is_future_keyword(static_cast<TokenKind>(i)) == of_the_future) list.add(kKeywords[i]);
+        if (is_reserved_word(static_cast<TokenKind>(i)) == of_later) list.add(kKeywords[i]);
     }
     return list.text();
 }

@@ -55,7 +55,8 @@ LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess&
     if (diagnostics.has_errors()) return {};
 
     LoadResult result;
-    const double time = scene.animation.start + settings.frame / scene.animation.fps;
+    const scene::Animation animation = scene.animation.value_or(scene::Animation{});
+    const double time = animation.start + settings.frame / animation.fps;
     Environment environment{checked, symbols, sources, loader, settings, time, {}, {}};
     environment.usage_mistakes = &result.usage_mistakes;
     environment.params =

@@ -60,11 +60,23 @@ std::string_view in_words(PropertyType type) {
             return "list of pairs";
         case PropertyType::index_triples:
             return "list of triples";
+        case PropertyType::any:
+            return "any value";
+        case PropertyType::function:
+            return "function";
+        case PropertyType::height_rows:
+            return "rows of numbers";
+        case PropertyType::texture:
+            return "texture";
+        case PropertyType::stops:
+            return "stops of a colour";
+        case PropertyType::focus:
+            return "distance or point";
     }
     LRAY_ASSERT(false);
 }
 
-std::string_view in_words(ParameterType type) {
+std::string_view type_name(ParameterType type) {
     switch (type) {
         case ParameterType::number:
             return "number";
@@ -98,6 +110,14 @@ std::string_view in_words(ParameterType type) {
             return "node";
         case ParameterType::position:
             return "number, or 2 or 3";
+        case ParameterType::boolean:
+            return "true or false";
+        case ParameterType::blendable:
+            return "number, vector or colour";
+        case ParameterType::points:
+            return "list of points";
+        case ParameterType::key:
+            return "number or string";
     }
     LRAY_ASSERT(false);
 }
@@ -188,13 +208,13 @@ std::optional<std::string> describe_function(std::string_view name) {
     for (std::size_t i = 0; i < builtin.parameter_count(); ++i) {
         const Parameter& parameter = builtin.parameters[i];
         signature += fmt::format("{}{}", i == 0 ? "" : ", ", parameter.name);
-        parameters += fmt::format("  {:<14} {}{}\n", parameter.name, in_words(parameter.type),
+        parameters += fmt::format("  {:<14} {}{}\n", parameter.name, type_name(parameter.type),
                                   parameter.is_optional ? "; may be left out" : "");
     }
     if (builtin.is_variadic) {
         signature += fmt::format("{}...", signature.empty() ? "" : ", ");
         parameters +=
-            fmt::format("  {:<14} {}; any number of them\n", "...", in_words(builtin.rest_type));
+            fmt::format("  {:<14} {}; any number of them\n", "...", type_name(builtin.rest_type));
     }
     return fmt::format("{}({}): {}\n{}{}", builtin.name, signature, builtin.doc,
                        parameters.empty() ? "" : "\n", parameters);

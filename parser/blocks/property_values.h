@@ -40,7 +40,7 @@ class PropertyValues {
     const Value& operator[](std::size_t slot) const { return values_[slot]; }
 
     /// Shape: one for each property.
-    std::span<const Value> all() const { return {values_.data(), properties_.size()}; }
+    std::span<const Value> all() const { return {values_, properties_.size()}; }
 
     double number(std::size_t slot) const {
         const Value& value = values_[slot];

@@ -321,7 +321,7 @@ Value Evaluator::node_member(const MemberExpr& expr, const Made& made) {
     }
     if (property.type == PropertyType::color) {
         const std::array<double, 4> rgba = {fallback[0], fallback[1], fallback[2], 1.0};
-        return Value::of_color(arena_.copy(std::span<const double>(rgba)).data());
+        return Value::of_color(arena().copy(std::span<const double>(rgba)).data());
     }
     const bool has_numbers =
         property.default_text.starts_with('[') && property.type != PropertyType::stops;

@@ -19,7 +19,7 @@ namespace {
 
 /// Tells what is wrong as it is told when the scene is loaded: the parser knows more about what was
 /// meant than the formatter.
-void report_as_parser(SourceId source, const Sources& sources, const LoadLimits& limits,
+void report_as_parser(SourceId source, Sources& sources, const LoadLimits& limits,
                       Diagnostics& diagnostics) {
     scene::Scene scene;
     Symbols symbols;
@@ -31,7 +31,7 @@ void report_as_parser(SourceId source, const Sources& sources, const LoadLimits&
 
 }  // namespace
 
-std::optional<std::string> format(SourceId source, const Sources& sources, const LoadLimits& limits,
+std::optional<std::string> format(SourceId source, Sources& sources, const LoadLimits& limits,
                                   Diagnostics& diagnostics) {
     PieceReader reader(sources, source, limits.nesting);
     Layout layout(sources[source].text.view(), reader, limits.scene_bytes);

@@ -20,7 +20,7 @@ namespace lray::parser {
 /// Errors: empty when the text has a lexical error (E00..) or its brackets do not match or are
 /// nested deeper than the limit, reported as load() does; E0516 when the result would be larger
 /// than a scene may be.
-std::optional<std::string> format(SourceId source, const Sources& sources, const LoadLimits& limits,
+std::optional<std::string> format(SourceId source, Sources& sources, const LoadLimits& limits,
                                   Diagnostics& diagnostics);
 
 struct FormattedFile {

@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
-#include "base/diagnostic_printer.h"
 #include "base/diagnostics.h"
 #include "base/output_file.h"
 #include "base/source.h"
 #include "cli/console.h"
+#include "cli/report.h"
 #include "cli/run.h"
 #include "parser/tools/format.h"
 
@@ -22,10 +22,8 @@ namespace {
 
 ExitCode report_errors(const Diagnostics& diagnostics, const Sources& sources,
                        const Options& options) {
-    print_message(
-        format_diagnostics(diagnostics, sources, {use_color(options.color), options.max_errors}));
-    print_message(fmt::format("{}; nothing formatted\n", summary(diagnostics)));
-    return diagnostics.has_limit_errors() ? ExitCode::limit : ExitCode::scene;
+    DiagnosticsReport report;
+    return report.print(diagnostics, sources, options).value_or(ExitCode::done);
 }
 
 ExitCode write_text(const std::string& path, std::string_view text) {

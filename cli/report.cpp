@@ -46,6 +46,7 @@ std::string closing_line(const Diagnostics& diagnostics, const Options& options)
         line += " by `--deny`";
     }
     if (options.mode == Mode::render) line += "; nothing rendered";
+    if (options.mode == Mode::format) line += "; nothing formatted";
     return line + "\n";
 }
 

@@ -16,8 +16,8 @@ TEST(Flat, MissGivesTheBackground) {
 TEST(Flat, HitGivesTheDiffuseColourOfItsObject) {
     scene::World world;
     world.materials.resize(3);
-    world.materials[1].diffuse = {1.0f, 0.5f, 0.25f};
-    world.materials[2].diffuse = {7.0f, 0.0f, 0.0f};  // beyond 1: kept as it is
+    world.materials[1].diffuse = Color{1.0f, 0.5f, 0.25f};
+    world.materials[2].diffuse = Color{7.0f, 0.0f, 0.0f};  // beyond 1: kept as it is
     world.objects.resize(2);
     world.objects[0].material = 2;
     world.objects[1].material = 1;

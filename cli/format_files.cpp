@@ -11,6 +11,7 @@
 #include "base/diagnostics.h"
 #include "base/output_file.h"
 #include "base/source.h"
+#include "base/terminal_text.h"
 #include "cli/console.h"
 #include "cli/report.h"
 #include "cli/run.h"

@@ -104,7 +104,7 @@ void Evaluator::free_field(const PropertyItem& item, const Value& value, OpenBlo
 // What is set in loops and choices is seen only here.
 bool Evaluator::set_once(Span& first, const PropertyItem& item) {
     if (first.is_nowhere()) {
-        first = item.name_span;
+        first = item.value->span;
         return true;
     }
     ++failures_;

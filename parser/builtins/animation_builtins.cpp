@@ -94,7 +94,7 @@ using enum ParameterType;
 
 // clang-format off
 constexpr std::array kBuiltins = {
-    Builtin{"keys", {{{"list", list}, {"t", number}, {"ease", string, true}}}, keys_at, "the value at the time t of keys [[t0, value0], [t1, value1], ...], numbers, vectors or colours; between them `\"smooth\"`, `\"linear\"` or `\"step\"`; the first and last hold outside"},
+    Builtin{"keys", {{{"list", list}, {"t", number}, {"ease", string, true}}}, keys_at, "the value at the time t of [[t0, value0], [t1, value1], ...]; ease: smooth, linear or step"},
 };
 // clang-format on
 

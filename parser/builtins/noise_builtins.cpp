@@ -97,7 +97,7 @@ constexpr Parameter kSeed{"seed", key, true};
 // clang-format off
 constexpr std::array kNoise = {
     Builtin{"noise", {{kP, kSeed}}, noise_of, "smooth noise, -1 to 1; 0 where all of p is whole"},
-    Builtin{"fbm", {{kP, kOctaves, kLacunarity, kGain, kSeed}}, fbm_of, "clouds and hills: 5 octaves of noise, each 2 times finer and 0.5 times as strong, -1 to 1"},
+    Builtin{"fbm", {{kP, kOctaves, kLacunarity, kGain, kSeed}}, fbm_of, "clouds and hills: 5 octaves of noise, -1 to 1"},
     Builtin{"ridged", {{kP, kOctaves, kLacunarity, kGain, kSeed}}, ridged_of, "mountains: as `fbm`, with sharp crests near 1"},
     Builtin{"worley", {{kP, kSeed}}, worley_of, "cells: distance to the nearest of points strewn one in each unit cell, 0 to about 1"},
 };

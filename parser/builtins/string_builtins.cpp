@@ -133,7 +133,7 @@ constexpr Parameter kText{"text", string};
 // clang-format off
 constexpr std::array kBuiltins = {
     Builtin{.name = "str", .function = str_of, .doc = "the values as text, one after the other", .is_variadic = true, .rest_type = any},
-    Builtin{.name = "format", .parameters = {kText}, .function = format_of, .doc = "the text with a value for each `{}`, or for `{:.2}` a number with 2 decimals; `{{` and `}}` are braces", .is_variadic = true, .rest_type = any},
+    Builtin{.name = "format", .parameters = {kText}, .function = format_of, .doc = "the text with a value for each `{}`, `{:.2}` for 2 decimals; `{{` and `}}` are braces", .is_variadic = true, .rest_type = any},
     Builtin{"upper", {kText}, changed<upper_of>, "with A to Z for a to z"},
     Builtin{"lower", {kText}, changed<lower_of>, "with a to z for A to Z"},
     Builtin{"split", {{kText, {"separator", string}}}, split_of, "the parts between separators; with an empty one, the characters"},

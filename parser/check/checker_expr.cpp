@@ -109,7 +109,12 @@ void FileChecker::call_of_name(CallExpr& expr, NameExpr& callee) {
     const std::string_view text = symbols_.text(callee.symbol);
     if (const Variable* variable = scopes_.find(callee.symbol)) {
         const bool is_component = variable->meaning == Meaning::component;
+        const bool is_value = variable->let_kind == LetKind::let && !variable->may_be_function;
         name(callee, is_component);
+        if (is_value) {
+            error(Code::E0307, expr.callee->span, fmt::format("`{}` is not a function", text));
+            return;
+        }
         called(expr, callee);
         return;
     }

@@ -12,6 +12,36 @@
 
 namespace lray::parser {
 
+namespace {
+
+/// False for what is plainly another value.
+bool may_be_function(const Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::number:
+        case ExprKind::boolean:
+        case ExprKind::string:
+        case ExprKind::color:
+        case ExprKind::list:
+        case ExprKind::packed_list:
+        case ExprKind::block:
+        case ExprKind::comprehension:
+            return false;
+        case ExprKind::error:
+        case ExprKind::name:
+        case ExprKind::unary:
+        case ExprKind::binary:
+        case ExprKind::conditional:
+        case ExprKind::call:
+        case ExprKind::index:
+        case ExprKind::member:
+        case ExprKind::function:
+            return true;
+    }
+    LRAY_ASSERT(false);
+}
+
+}  // namespace
+
 void FileChecker::items(std::span<Item* const> list, const Place& place) {
     for (Item* at : list) item(*at, place);
     unreachable(list);
@@ -56,6 +86,7 @@ void FileChecker::item(Item& item, const Place& place) {
 }
 
 void FileChecker::unreachable(std::span<Item* const> list) {
+    if (diagnostics_.has_errors()) return;
     for (std::size_t i = 0; i + 1 < list.size(); ++i) {
         const ItemKind kind = list[i]->kind;
         const bool ends = kind == ItemKind::break_loop || kind == ItemKind::continue_loop ||
@@ -77,6 +108,7 @@ void FileChecker::let(LetItem& item) {
     variable.let_kind = item.let_kind;
     variable.owner = context_;
     variable.warns_if_unused = !scopes_.is_outermost();
+    variable.may_be_function = may_be_function(*item.value);
     if (item.let_kind != LetKind::var) know_schema(item.name_span, schema_of(*item.value));
     if (item.slot == kNoSlot) {
         item.is_global = scopes_.is_outermost();

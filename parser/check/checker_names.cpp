@@ -9,8 +9,11 @@
 
 namespace lray::parser {
 
+// What a mistake hides from the checker may be what uses a name.
 void FileChecker::close_scope() {
-    for (const Variable& variable : scopes_.innermost()) {
+    const std::span<const Variable> ended =
+        diagnostics_.has_errors() ? std::span<Variable>{} : scopes_.innermost();
+    for (const Variable& variable : ended) {
         const bool is_private = symbols_.text(variable.name).starts_with('_');
         if (variable.is_used || !variable.warns_if_unused || is_private) continue;
         diagnostics_.warning(Code::W1101, variable.span,

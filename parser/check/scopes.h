@@ -58,6 +58,7 @@ struct Variable {
     LetKind let_kind = LetKind::let;
     bool is_used = false;
     bool warns_if_unused = false;
+    bool may_be_function = true;
     std::uint32_t slot = 0;
     Context* owner = nullptr;
     std::size_t scope = 0;

@@ -154,9 +154,9 @@ Value Evaluator::block_value(BlockExpr& expr) {
         return body(expr, open) ? record_value(open) : Value::poison();
     }
     if (!is_surface(schema.kind) && !schema.is_placeable) {
-        return failed(
-            Code::E0408, expr.head->span,
-            fmt::format("a `{}` block is not a value; write it at the top level", schema.name));
+        error(Code::E0408, expr.head->span, fmt::format("a `{}` block is not a value", schema.name))
+            .with_help("write it at the top level");
+        return Value::poison();
     }
     if (made_of.made != nullptr) {
         start_copy(*made_of.made, open);

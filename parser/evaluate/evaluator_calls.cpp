@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "parser/check/check_arguments.h"
+#include "parser/check/constant_value.h"
 #include "parser/evaluate/evaluator_state.h"
 #include "parser/values/type_name.h"
 #include "parser/values/value_text.h"
@@ -92,9 +93,13 @@ Value Evaluator::assertion(const CallExpr& expr) {
             apply(comparison.op, left, right, comparison.op_span, arena(), budget_, diagnostics_);
         if (result.is(ValueKind::boolean)) holds = result.boolean;
         if (holds && !*holds) {
-            sides = fmt::format("`{}` is {}, `{}` is {}", text(*comparison.left),
-                                value_text(left, symbols_, kShownBytes), text(*comparison.right),
-                                value_text(right, symbols_, kShownBytes));
+            const auto add = [&](const Expr& side, const Value& value) {
+                if (constant_value(side, arena())) return;  // shows its value itself
+                sides += fmt::format("{}`{}` is {}", sides.empty() ? "" : ", ", text(side),
+                                     value_text(value, symbols_, kShownBytes));
+            };
+            add(*comparison.left, left);
+            add(*comparison.right, right);
         }
     } else {
         holds = condition(*condition_expr);
@@ -107,7 +112,7 @@ Value Evaluator::assertion(const CallExpr& expr) {
         if (told.is(ValueKind::poison)) return told;
         message = value_text(told, symbols_, kShownBytes);
     }
-    Diagnostic& diagnostic = error(Code::E0507, expr.span, std::move(message));
+    Diagnostic& diagnostic = error(Code::E0507, condition_expr->span, std::move(message));
     if (!sides.empty()) diagnostic.with_note(std::move(sides));
     return Value::poison();
 }

@@ -17,16 +17,17 @@ namespace lray::parser {
 
 namespace {
 
-/// Tells what is wrong as it is told when the scene is loaded: the parser knows more about what was
-/// meant than the formatter.
-void report_as_parser(SourceId source, Sources& sources, const LoadLimits& limits,
-                      Diagnostics& diagnostics) {
+/// Reads a scene as it is read when it is loaded. The meaning of one that the parser does not
+/// understand may hang on how it is laid out.
+bool is_understood(SourceId source, Sources& sources, const LoadLimits& limits,
+                   Diagnostics& diagnostics) {
     scene::Scene scene;
     Symbols symbols;
     Arena arena;
     std::vector<OwnedNumbers> long_lists;
     ParseContext context{sources, symbols, arena, scene, long_lists, limits.nesting, true};
     parse(source, context, diagnostics);
+    return !diagnostics.has_errors();
 }
 
 }  // namespace
@@ -48,8 +49,7 @@ std::optional<std::string> format(SourceId source, Sources& sources, const LoadL
         case LayoutEnd::failed:
             break;
     }
-    report_as_parser(source, sources, limits, diagnostics);
-    if (!diagnostics.has_errors()) {
+    if (is_understood(source, sources, limits, diagnostics)) {
         const std::uint32_t at = reader.failure_offset();
         diagnostics.error(Code::E0104, Span::make(source, at, at), "brackets do not match here");
     }
@@ -61,7 +61,7 @@ std::optional<FormattedFile> format_file(std::string_view path, const LoadLimits
                                          Diagnostics& diagnostics) {
     const std::optional<SourceId> source =
         FileLoader(files, sources, limits, diagnostics).main_scene(path);
-    if (!source) return std::nullopt;
+    if (!source || !is_understood(*source, sources, limits, diagnostics)) return std::nullopt;
     std::optional<std::string> text = format(*source, sources, limits, diagnostics);
     if (!text) return std::nullopt;
     return FormattedFile{*source, std::move(*text)};

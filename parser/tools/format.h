@@ -29,7 +29,8 @@ struct FormattedFile {
 };
 
 /// Reads a file that the user named, and formats it.
-/// Errors: empty, E06.. or as format().
+/// Errors: empty, E06.., as format(), or E01.. of a scene that the parser does not understand: what
+/// it means may hang on how it is laid out.
 std::optional<FormattedFile> format_file(std::string_view path, const LoadLimits& limits,
                                          FileAccess& files, Sources& sources,
                                          Diagnostics& diagnostics);

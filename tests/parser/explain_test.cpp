@@ -42,6 +42,10 @@ Setting setting_of(Code code) {
     } else if (code == Code::E0513) {
         setting.flatten.primitives = 0;
         with_files({{"cloud.obj", kObj}});
+    } else if (code == Code::E0514) {
+        setting.limits.list_size = 100;
+    } else if (code == Code::E0517) {
+        setting.limits.printed_bytes = 200;
     } else if (code == Code::E0515) {
         setting.limits.include_depth = 1;
         setting.wrong_files = {{"level2.lrs", "include \"level3.lrs\"\n"}, {"level3.lrs", kBall}};

@@ -163,10 +163,10 @@ TEST(Names, LiveFromTheirLineToTheEndOfTheirBraces) {
     EXPECT_EQ(codes_of("sphere { let a = 2, radius: a }"), "");
     EXPECT_EQ(codes_of("let a = 1\ngroup { let b = a + 1, group { sphere { radius: a + b } } }"),
               "");
-    EXPECT_EQ(codes_of("group { let a = 1 }\ngroup { let a = 2 }"), "");
+    EXPECT_EQ(codes_of("group { let _a = 1 }\ngroup { let _a = 2 }"), "");
     EXPECT_EQ(codes_of("sphere { radius: a }\nlet a = 1"), "E0202");
     EXPECT_EQ(codes_of("let a = 1\nlet a = 2"), "E0203");
-    EXPECT_EQ(codes_of("let a = 1\ngroup { let a = 2 }"), "W1102");
+    EXPECT_EQ(codes_of("let a = 1\ngroup { let a = 2, sphere { radius: a } }"), "W1102");
 }
 
 TEST(Names, OfTheLanguageMayBeUsedAnewButBlocks) {

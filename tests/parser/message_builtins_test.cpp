@@ -64,6 +64,14 @@ TEST_F(MessageFunctions, OnlyTheseHaveEffects) {
     for (const parser::Builtin& builtin : parser::builtins()) {
         if (builtin.has_effects) names.emplace_back(builtin.name);
     }
+    EXPECT_THAT(names, ElementsAre("print", "warn"));
+}
+
+TEST_F(MessageFunctions, OnlyTheseAreCalledWithoutUsingTheirValue) {
+    std::vector<std::string> names;
+    for (const parser::Builtin& builtin : parser::builtins()) {
+        if (builtin.is_statement) names.emplace_back(builtin.name);
+    }
     EXPECT_THAT(names, ElementsAre("print", "warn", "error", "assert"));
 }
 

@@ -86,14 +86,14 @@ TEST(RandomBuiltins, RandIntTakesAnyWholeRange) {
     EXPECT_EQ(BuiltinCall("rand_int", {Value::of(-1e300), Value::of(1.0), Value::of(1.0)}).told(),
               "E0304 0 `rand_int` goes to 2^53 and no further, this is -1e+300");
     EXPECT_EQ(BuiltinCall("rand_int", {Value::of(0.5), Value::of(1.0), Value::of(1.0)}).told(),
-              "E0301 0 `lo` of `rand_int` needs a whole number, this is a number");
+              "E0308 0 `lo` of `rand_int` needs a whole number, this is 0.5");
 }
 
 TEST(RandomBuiltins, KeysAreNumbersOrStrings) {
     EXPECT_EQ(BuiltinCall("rand", {Value::of(true)}).told(),
               "E0301 0 `seed` of `rand` needs a number or a string, this is true");
     EXPECT_EQ(BuiltinCall("rand", {Value::of(1.0), Value::of(2.0), Value::of(false)}).told(),
-              "E0301 20 `rand` needs a number or a string, this is false");
+              "E0301 20 every argument of `rand` needs a number or a string, this is false");
     const BuiltinCall poisoned("rand", {Value::of(1.0), Value::poison()});
     EXPECT_TRUE(poisoned.value.is(ValueKind::poison));
     EXPECT_EQ(poisoned.told(), "");
@@ -220,7 +220,7 @@ TEST(NoiseBuiltins, MistakesAreTold) {
     EXPECT_EQ(BuiltinCall("ridged", {x, Value::of(33.0)}).told(),
               "E0304 10 `octaves` of `ridged` must be from 1 to 32, this is 33");
     EXPECT_EQ(BuiltinCall("fbm", {x, Value::of(2.5)}).told(),
-              "E0301 10 `octaves` of `fbm` needs a whole number, this is a number");
+              "E0308 10 `octaves` of `fbm` needs a whole number, this is 2.5");
     EXPECT_EQ(BuiltinCall("fbm", {x, Value::of(3.0), Value::of(0.0)}).told(),
               "E0304 20 `lacunarity` of `fbm` must be greater than 0, this is 0");
     EXPECT_EQ(BuiltinCall("fbm", {x, Value::of(3.0), Value::of(2.0), Value::of(-1.0)}).told(),

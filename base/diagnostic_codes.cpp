@@ -156,8 +156,8 @@ constexpr CodeInfo kInfos[] = {
  "let r = 1\nbreak",
  "let r = 1"},
 {LRAY_CODE(E0120), "not available in this version",
- "This part of the language is planned but does not exist in this version of lray: loops, functions "
- "and components, lights, textures, and the shapes heightfield and terrain.",
+ "This part of the language is planned but does not exist in this version of lray: the shapes union, "
+ "intersection, difference and text, and a few properties.",
  "union {\n  sphere { }\n}",
  "group {\n  sphere { }\n}"},
 

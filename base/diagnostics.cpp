@@ -45,6 +45,7 @@ Diagnostic& Diagnostics::report(Severity severity, Code code, Span span, std::st
     diagnostic.code = code;
     diagnostic.span = span;
     diagnostic.message = std::move(message);
+    if (explain_) explain_(diagnostic);
     diagnostics_.push_back(std::move(diagnostic));
     return diagnostics_.back();
 }

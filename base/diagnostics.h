@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -96,6 +97,10 @@ class Diagnostics {
     Diagnostic& error(Code code, Span span, std::string message);
     Diagnostic& warning(Code code, Span span, std::string message);
 
+    /// Says of everything that is reported from now on where it comes from: the calls that led
+    /// there. An empty function ends it.
+    void explain_with(std::function<void(Diagnostic&)> explain) { explain_ = std::move(explain); }
+
     /// Adds all of another collection's.
     void append(const Diagnostics& others);
 
@@ -124,6 +129,7 @@ class Diagnostics {
     Diagnostic& report(Severity severity, Code code, Span span, std::string message);
 
     WarningLevels levels_;
+    std::function<void(Diagnostic&)> explain_;
     std::vector<Diagnostic> diagnostics_;
     using Place = std::pair<std::optional<Code>, std::uint64_t>;  // the code of a warning
     std::map<Place, std::size_t> by_place_;                       // of those kept

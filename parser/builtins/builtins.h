@@ -36,9 +36,6 @@ class Runtime {
     /// Prints one line for the user, without its line end.
     virtual void print(std::string_view line) = 0;
 
-    /// Adds the calls that led here to a diagnostic.
-    virtual void explain_calls(Diagnostic& diagnostic) = 0;
-
     virtual const scene::Scene& scene() const = 0;
     virtual const Symbols& symbols() const = 0;
     virtual Symbol intern(std::string_view name) = 0;

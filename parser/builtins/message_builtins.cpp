@@ -39,14 +39,12 @@ Value print_of(Call& call) {
 }
 
 Value warn_of(Call& call) {
-    call.runtime.explain_calls(
-        call.diagnostics.warning(Code::W1106, call.span, text_of(call, call[0], kMaxMessage)));
+    call.diagnostics.warning(Code::W1106, call.span, text_of(call, call[0], kMaxMessage));
     return kDone;
 }
 
 Value error_of(Call& call) {
-    call.runtime.explain_calls(
-        call.diagnostics.error(Code::E0508, call.span, text_of(call, call[0], kMaxMessage)));
+    call.diagnostics.error(Code::E0508, call.span, text_of(call, call[0], kMaxMessage));
     return Value::poison();
 }
 
@@ -54,7 +52,7 @@ Value assert_of(Call& call) {
     if (call[0].boolean) return kDone;
     const std::string message =
         call[1].is(ValueKind::none) ? "this does not hold" : text_of(call, call[1], kMaxMessage);
-    call.runtime.explain_calls(call.diagnostics.error(Code::E0507, call.spans[0], message));
+    call.diagnostics.error(Code::E0507, call.spans[0], message);
     return Value::poison();
 }
 

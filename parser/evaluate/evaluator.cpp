@@ -44,18 +44,15 @@ void Evaluator::run(std::span<Item* const> list) {
     slots_.resize(checked_.frame_size);
     frame_ = slots_.data();
     top_ = checked_.frame_size;
+    diagnostics_.explain_with([this](Diagnostic& diagnostic) { explain_calls(diagnostic); });
     items(list, root);
+    diagnostics_.explain_with({});
     scene_.root = add_node(root, scene::NodeKind::group, scene_.groups.size(), nullptr);
     scene_.groups.push_back({std::move(root.children)});
 }
 
-Diagnostic& Evaluator::error(Code code, Span span, std::string message) {
-    Diagnostic& diagnostic = diagnostics_.error(code, span, std::move(message));
-    explain_calls(diagnostic);
-    return diagnostic;
-}
-
-void Evaluator::explain_calls(Diagnostic& diagnostic) {
+// The calls that are open, the innermost first.
+void Evaluator::explain_calls(Diagnostic& diagnostic) const {
     for (std::size_t i = calls_.size(); i-- > 0;) {
         const Symbol name = calls_[i].function->name;
         diagnostic.with_call(calls_[i].span,

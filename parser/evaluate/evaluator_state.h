@@ -60,7 +60,6 @@ class Evaluator final : public Runtime {
     Value call_function(const Value& function, std::span<const Value> arguments,
                         Span span) override;
     void print(std::string_view line) override;
-    void explain_calls(Diagnostic& diagnostic) override;
     const scene::Scene& scene() const override { return scene_; }
     const Symbols& symbols() const override { return symbols_; }
     Symbol intern(std::string_view name) override { return environment_.symbols.intern(name); }
@@ -186,7 +185,10 @@ class Evaluator final : public Runtime {
     std::optional<Sequence> sequence(const Expr& expr);
     std::optional<Sequence> range_of(const CallExpr& call);
 
-    Diagnostic& error(Code code, Span span, std::string message);
+    void explain_calls(Diagnostic& diagnostic) const;
+    Diagnostic& error(Code code, Span span, std::string message) {
+        return diagnostics_.error(code, span, std::move(message));
+    }
     Value failed(Code code, Span span, std::string message) {
         error(code, span, std::move(message));
         return Value::poison();

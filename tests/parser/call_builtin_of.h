@@ -26,7 +26,6 @@ class FakeRuntime : public parser::Runtime {
         return function(arguments);
     }
     void print(std::string_view) override {}
-    void explain_calls(Diagnostic&) override {}
     const scene::Scene& scene() const override { return scene_; }
     const parser::Symbols& symbols() const override { return symbols_; }
     parser::Symbol intern(std::string_view) override { return parser::kNoSymbol; }

@@ -96,6 +96,9 @@ class Diagnostics {
     Diagnostic& error(Code code, Span span, std::string message);
     Diagnostic& warning(Code code, Span span, std::string message);
 
+    /// False if a warning of this code is dropped: what only finds it need not be done.
+    bool tells(Code warning) const { return levels_[warning] != WarningLevel::allow; }
+
     /// Adds all of another collection's.
     void append(const Diagnostics& others);
 

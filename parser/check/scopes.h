@@ -58,6 +58,7 @@ struct Variable {
     LetKind let_kind = LetKind::let;
     bool is_used = false;
     bool warns_if_unused = false;
+    bool is_material = false;  // for sure
     std::uint32_t slot = 0;
     Context* owner = nullptr;
     std::size_t scope = 0;

@@ -11,7 +11,9 @@
 #include <tuple>
 #include <vector>
 
+#include "scene/coplanar_faces.h"
 #include "scene/object_path.h"
+#include "scene/same_look.h"
 
 namespace lray::scene {
 
@@ -93,7 +95,7 @@ Geometry geometry_of(const World& world, PrimitiveId id) {
     return writer.geometry();
 }
 
-/// Two multiplications a number: equal geometry has equal keys, and hardly any other has.
+/// Equal geometry has equal keys, and hardly any other has.
 std::uint64_t key_of(const Geometry& geometry) {
     std::uint64_t key = 0;
     for (const float x : geometry) {
@@ -103,23 +105,7 @@ std::uint64_t key_of(const Geometry& geometry) {
     return key;
 }
 
-bool hides_what_it_covers(const World& world, const Object& object) {
-    const Material& material = world.materials[object.material];
-    return object.visible && material.opacity == ScalarCoefficient{1.0f} &&
-           material.transmit == Coefficient{Color{0.0f}};
-}
-
-bool look_different(const Material& a, const Material& b) {
-    return !(a.diffuse == b.diffuse && a.specular == b.specular && a.reflect == b.reflect &&
-             a.emission == b.emission);
-}
-
-struct Pair {
-    PrimitiveId first{};
-    PrimitiveId second{};
-};
-
-void add_pairs(const World& world, PrimitiveKind kind, std::vector<Pair>& pairs) {
+void add_pairs(const World& world, PrimitiveKind kind, std::vector<PrimitivePair>& pairs) {
     struct Keyed {
         std::uint64_t key = 0;
         PrimitiveId id{};
@@ -136,16 +122,11 @@ void add_pairs(const World& world, PrimitiveKind kind, std::vector<Pair>& pairs)
     });
     // Neighbours in a run of equal keys: of three in one place two pairs are told.
     for (std::size_t i = 1; i < all.size(); ++i) {
-        const auto [first, second] = Pair{all[i - 1].id, all[i].id};
         if (all[i - 1].key != all[i].key) continue;
+        const PrimitiveId first = all[i - 1].id;
+        const PrimitiveId second = all[i].id;
         if (geometry_of(world, first) != geometry_of(world, second)) continue;
-        const Object& object = world.object(world.object_of(first));
-        const Object& other = world.object(world.object_of(second));
-        if (!hides_what_it_covers(world, object) || !hides_what_it_covers(world, other)) continue;
-        if (!look_different(world.materials[object.material], world.materials[other.material])) {
-            continue;
-        }
-        pairs.push_back({first, second});
+        if (shows_a_difference(world, first, second)) pairs.push_back({first, second});
     }
 }
 
@@ -153,20 +134,23 @@ void add_pairs(const World& world, PrimitiveKind kind, std::vector<Pair>& pairs)
 
 void warn_coincident(const Scene& scene, const World& world, Diagnostics& diagnostics) {
     if (world.materials.size() <= 1) return;  // all look the same
-    std::vector<Pair> pairs;
+    std::vector<PrimitivePair> pairs;
     for (std::size_t kind = 0; kind < kPrimitiveKindCount; ++kind) {
         add_pairs(world, static_cast<PrimitiveKind>(kind), pairs);
     }
+    const std::vector<PrimitivePair> faces = coplanar_faces(scene, world);
+    pairs.insert(pairs.end(), faces.begin(), faces.end());
     // A mesh in the place of another has thousands of triangles there: each two objects once.
-    const auto objects_of = [&world](const Pair& pair) {
+    const auto objects_of = [&world](const PrimitivePair& pair) {
         return std::pair(world.object_of(pair.second), world.object_of(pair.first));
     };
-    std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
+    std::sort(pairs.begin(), pairs.end(), [&](const PrimitivePair& a, const PrimitivePair& b) {
         return std::tuple(objects_of(a), a.second) < std::tuple(objects_of(b), b.second);
     });
-    const auto last = std::unique(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
-        return objects_of(a) == objects_of(b);
-    });
+    const auto last = std::unique(pairs.begin(), pairs.end(),
+                                  [&](const PrimitivePair& a, const PrimitivePair& b) {
+                                      return objects_of(a) == objects_of(b);
+                                  });
     pairs.erase(last, pairs.end());
     for (std::size_t i = 0; i < std::min(pairs.size(), kMaxTold); ++i) {
         const auto [later_id, earlier_id] = objects_of(pairs[i]);

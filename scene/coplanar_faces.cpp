@@ -15,8 +15,8 @@ namespace lray::scene {
 
 namespace {
 
-constexpr std::size_t kMaxCompared = 5'000;  // of boxes, and of rectangles
-constexpr std::size_t kMaxTests = 100'000;
+constexpr std::size_t kMaxCompared = 1'000;  // of boxes, and of rectangles
+constexpr std::size_t kMaxTests = 20'000;
 constexpr std::size_t kMaxPairs = 16;
 
 /// Faces that only share an edge overlap by rounding alone.

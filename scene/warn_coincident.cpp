@@ -20,7 +20,7 @@ namespace lray::scene {
 namespace {
 
 /// Of each kind: a mistake that a loop makes a million times it makes among the first.
-constexpr std::size_t kMaxCompared = 10'000;
+constexpr std::size_t kMaxCompared = 4'000;
 constexpr std::size_t kMaxTold = 3;
 
 /// All that the surface of a primitive depends on; the rest is 0.

@@ -82,22 +82,55 @@ bool shuts_in(const World& world, const Object& object, const Point& point) {
     return point.camera != nullptr ? !is_backdrop(material) : object.casts_shadow;
 }
 
-std::vector<Enclosure> find_enclosures(const World& world, const std::vector<Point>& points) {
-    std::vector<Enclosure> enclosures;
-    for (const PrimitiveKind kind :
-         {PrimitiveKind::sphere, PrimitiveKind::ellipsoid, PrimitiveKind::cylinder,
-          PrimitiveKind::box, PrimitiveKind::torus}) {
-        const std::vector<ObjectId>& object_ids = world.object_ids[static_cast<std::size_t>(kind)];
-        for (std::size_t i = 0; i < object_ids.size(); ++i) {
+/// False for most points outside: all canonical shapes are within [-1, 1]^3. Rounding is far below
+/// the margin of is_inside().
+bool may_contain(const AffineFrame& frame, Vec3 point) {
+    const Vec3 offset = point - frame.origin;
+    for (int row = 0; row < 3; ++row) {
+        const float q = frame.object_from_world[0][row] * offset.x +
+                        frame.object_from_world[1][row] * offset.y +
+                        frame.object_from_world[2][row] * offset.z;
+        if (std::fabs(q) > 1.0f) return false;
+    }
+    return true;
+}
+
+bool may_contain(const Sphere& sphere, Vec3 point) {
+    return std::fabs(point.x - sphere.center.x) <= sphere.radius &&
+           std::fabs(point.y - sphere.center.y) <= sphere.radius &&
+           std::fabs(point.z - sphere.center.z) <= sphere.radius;
+}
+
+template <class Primitive>
+bool may_contain(const Primitive& primitive, Vec3 point) {
+    return may_contain(primitive.frame, point);
+}
+
+/// Adds those of one kind, until there are kMaxEnclosures.
+template <class Primitive>
+void add_enclosures(const World& world, PrimitiveKind kind,
+                    const std::vector<Primitive>& primitives, const std::vector<Point>& points,
+                    std::vector<Enclosure>& enclosures) {
+    for (const Point& point : points) {
+        const Vec3 position{point.position};
+        for (std::size_t i = 0; i < primitives.size(); ++i) {
+            if (!may_contain(primitives[i], position)) continue;
             const PrimitiveId id(kind, i);
-            for (const Point& point : points) {
-                if (!is_inside(world, id, point.position)) continue;
-                if (!shuts_in(world, world.object(object_ids[i]), point)) continue;
-                if (enclosures.size() == kMaxEnclosures) return enclosures;
-                enclosures.push_back({id, primitive_bounds(world, id), point});
-            }
+            if (!is_inside(world, id, point.position)) continue;
+            if (!shuts_in(world, world.object(world.object_of(id)), point)) continue;
+            if (enclosures.size() == kMaxEnclosures) return;
+            enclosures.push_back({id, primitive_bounds(world, id), point});
         }
     }
+}
+
+std::vector<Enclosure> find_enclosures(const World& world, const std::vector<Point>& points) {
+    std::vector<Enclosure> enclosures;
+    add_enclosures(world, PrimitiveKind::sphere, world.spheres, points, enclosures);
+    add_enclosures(world, PrimitiveKind::ellipsoid, world.ellipsoids, points, enclosures);
+    add_enclosures(world, PrimitiveKind::cylinder, world.cylinders, points, enclosures);
+    add_enclosures(world, PrimitiveKind::box, world.boxes, points, enclosures);
+    add_enclosures(world, PrimitiveKind::torus, world.tori, points, enclosures);
     return enclosures;
 }
 

@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "scene/each_primitive.h"
 #include "scene/placer.h"
 
 namespace lray::scene {
@@ -104,7 +103,43 @@ bool may_see(const ViewVolume& view, const AreaLight& light) {
     return view.may_see(bounds);
 }
 
+/// Of each kind so many are looked at one by one.
+constexpr std::size_t kMaxEach = 10'000;
+
+/// Bounds of all primitives of a kind where that is quick; of the others nothing is sure.
+std::optional<Bounds> quick_bounds(const World& world, PrimitiveKind kind) {
+    Bounds bounds;
+    if (kind == PrimitiveKind::triangle) {
+        for (const Vec3 vertex : world.vertices) bounds.add(vertex);
+        return bounds;
+    }
+    if (kind == PrimitiveKind::sphere) {
+        for (const Sphere& sphere : world.spheres) {
+            bounds.add(sphere.center - sphere.radius);
+            bounds.add(sphere.center + sphere.radius);
+        }
+        return bounds;
+    }
+    return std::nullopt;
+}
+
 /// A panorama has no volume: it sees all that there is.
+bool may_see_kind(const World& world, PrimitiveKind kind, const ViewVolume* view) {
+    const std::vector<ObjectId>& object_ids = world.object_ids[static_cast<std::size_t>(kind)];
+    for (std::size_t i = 0; i < std::min(object_ids.size(), kMaxEach); ++i) {
+        if (!world.object(object_ids[i]).visible) continue;
+        const PrimitiveId id(kind, i);
+        const bool may_see_it =
+            view == nullptr ||
+            (kind == PrimitiveKind::plane ? view->may_see(world.planes[i])
+                                          : view->may_see(primitive_bounds(world, id)));
+        if (may_see_it) return true;
+    }
+    if (object_ids.size() <= kMaxEach) return false;
+    const auto bounds = quick_bounds(world, kind);
+    return view == nullptr || !bounds || view->may_see(*bounds);
+}
+
 bool may_see_something(const World& world, const ViewVolume* view) {
     for (const WorldLight& light : world.lights) {
         if (std::holds_alternative<EnvironmentLight>(light.light.shape)) return true;
@@ -113,15 +148,10 @@ bool may_see_something(const World& world, const ViewVolume* view) {
             return true;
         }
     }
-    bool may_see_it = false;
-    each_primitive(world, [&](PrimitiveId id, const Object& object) {
-        if (!object.visible) return true;
-        may_see_it = view == nullptr || (id.kind() == PrimitiveKind::plane
-                                             ? view->may_see(world.planes[id.index()])
-                                             : view->may_see(primitive_bounds(world, id)));
-        return !may_see_it;
-    });
-    return may_see_it;
+    for (std::size_t kind = 0; kind < kPrimitiveKindCount; ++kind) {
+        if (may_see_kind(world, static_cast<PrimitiveKind>(kind), view)) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -151,6 +181,7 @@ void warn_view(const Scene& scene, const World& world, std::optional<Resolution>
         warning.with_help("what has `visible: false`, or is in a group that has it, is not shown");
         return;
     }
+    if (world.primitive_count() > kMaxEach) return;
     const Bounds bounds = finite_bounds(world);
     if (bounds.is_empty()) return;
     const DVec3 middle = 0.5 * (DVec3{bounds.min} + DVec3{bounds.max});

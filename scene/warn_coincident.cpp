@@ -156,10 +156,10 @@ void warn_coincident(const Scene& scene, const World& world, Diagnostics& diagno
         const auto [later_id, earlier_id] = objects_of(pairs[i]);
         const Node& later = scene.node(world.object(later_id).node_id);
         const Node& earlier = scene.node(world.object(earlier_id).node_id);
-        Diagnostic& warning =
-            diagnostics.warning(Code::W1206, later.span,
-                                fmt::format("this {} is exactly where a {} of another material is",
-                                            title_of(scene, later), title_of(scene, earlier)));
+        Diagnostic& warning = diagnostics.warning(
+            Code::W1206, later.span,
+            fmt::format("this {} has a surface where a {} of another material has one",
+                        title_of(scene, later), title_of(scene, earlier)));
         add_place(warning, scene, world, earlier_id, "the other one");
         if (i + 1 == kMaxTold && pairs.size() > kMaxTold) {
             warning.with_note(fmt::format("... and {} more", pairs.size() - kMaxTold));

@@ -281,7 +281,9 @@ TEST(UnusedMaterial, OnlyOfTheMainFileAndOnlyIfItPlacesSomething) {
     EXPECT_EQ(loaded_with("camera { }\nlet _a = material { }\nsphere { }"), "");
     EXPECT_EQ(loaded_with("camera { }\nlet a = 1\nlet b = sphere { }\nsphere { }"), "");
     EXPECT_EQ(loaded_with("camera { }\ninclude \"parts.lrs\"\nsphere { }"), "");
-    EXPECT_EQ(loaded_with("camera { }\nimport \"parts.lrs\" as parts\nsphere { }"), "");
+    EXPECT_EQ(
+        loaded_with("camera { }\nimport \"parts.lrs\" as parts\nsphere { material: parts.oak }"),
+        "");
     EXPECT_EQ(loaded_with("let a = material { }\nlet b = a { }"), "W1503") << "a library";
     EXPECT_EQ(loaded_with("camera { }\nlet a = material { }\nfn pick(i) = a\n"
                           "sphere { material: pick(1) }"),

@@ -435,6 +435,30 @@ constexpr CodeInfo kInfos[] = {
  "The corners lie on a line, so no ray can hit the shape. It is left out.",
  "triangle { a: [0, 0, 0], b: [1, 1, 1], c: [2, 2, 2] }",
  "triangle { a: [0, 0, 0], b: [1, 1, 1], c: [2, 2, 0] }"},
+{LRAY_CODE(W1203), "camera inside an object",
+ "The camera is inside a closed object that hides everything else: the picture has one colour. A "
+ "room is not meant by this, with things in it; nor are glass, textures and what shines.",
+ "camera { position: [0, 0, 5] }\nsphere { radius: 6 }",
+ "camera { position: [0, 0, 15] }\nsphere { radius: 6 }"},
+{LRAY_CODE(W1204), "light inside an opaque object",
+ "No light leaves a closed, opaque object that casts a shadow. A bulb around its light needs "
+ "`casts_shadow: false`, or glass.",
+ "camera { position: [0, 0, 15] }\npoint_light { position: [0, 4, 0] }\n"
+ "sphere { center: [0, 4, 0], radius: 0.2 }",
+ "camera { position: [0, 0, 15] }\npoint_light { position: [0, 4, 0] }\n"
+ "sphere { center: [0, 4, 0], radius: 0.2, casts_shadow: false }"},
+{LRAY_CODE(W1205), "nothing in view",
+ "Nothing of the scene is before the camera, so the picture will be empty. Often `look_at` was "
+ "forgotten: without it the camera looks at [0, 0, 0].",
+ "camera { position: [0, 1, 5], look_at: [0, 1, 9] }\nsphere { }",
+ "camera { position: [0, 1, 5], look_at: [0, 0, 0] }\nsphere { }"},
+{LRAY_CODE(W1206), "coincident surfaces",
+ "Two surfaces of different materials are exactly in the same place, so that only chance decides "
+ "which one shows. Move one of them a little.",
+ "camera { position: [0, 2, 6] }\nrectangle { material { diffuse: red } }\n"
+ "rectangle { material { diffuse: blue } }",
+ "camera { position: [0, 2, 6] }\nrectangle { material { diffuse: red } }\n"
+ "rectangle { center: [0, 0.001, 0], material { diffuse: blue } }"},
 
 {LRAY_CODE(W1301), "scale after translate",
  "The steps of a transform are done in the order written, so this scale also multiplies the "
@@ -446,6 +470,12 @@ constexpr CodeInfo kInfos[] = {
  "unit `rad`.",
  "box { rotate_y: 3.14159 }",
  "box { rotate_y: 180 }"},
+{LRAY_CODE(W1303), "mirrored by negative scale",
+ "The transform turns left and right around, as a mirror does. That is often meant, so this is only "
+ "told with `-W W1303`.",
+ "box { scale: [-1, 1, 1] }",
+ "box { rotate_y: 180 }",
+ false},
 
 {LRAY_CODE(W1401), "property the model does not use",
  "The reflection model of this material ignores the property.",
@@ -463,6 +493,11 @@ constexpr CodeInfo kInfos[] = {
  "No ordinary matter has an index of refraction below 1: water has 1.33, glass 1.5.",
  "let m = material { transmit: 0.9, diffuse: 0, ior: 0.67 }",
  "let m = material { transmit: 0.9, diffuse: 0, ior: 1.5 }"},
+{LRAY_CODE(W1405), "unused material",
+ "The main file defines a material, and nothing uses it. Begin its name with `_` if that is meant. "
+ "Files that are included, or that place nothing, may hold what they like.",
+ "let oak = material { diffuse: #b07d48 }\nsphere { }",
+ "let oak = material { diffuse: #b07d48 }\nsphere { material: oak }"},
 
 {LRAY_CODE(W1501), "no camera",
  "The scene has no camera; one is placed so that everything is in view.",

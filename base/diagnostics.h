@@ -97,6 +97,9 @@ class Diagnostics {
     Diagnostic& error(Code code, Span span, std::string message);
     Diagnostic& warning(Code code, Span span, std::string message);
 
+    /// False if a warning of this code is dropped: what only finds it need not be done.
+    bool tells(Code warning) const { return levels_[warning] != WarningLevel::allow; }
+
     /// Says of everything that is reported from now on where it comes from: the calls that led
     /// there. An empty function ends it.
     void explain_with(std::function<void(Diagnostic&)> explain) { explain_ = std::move(explain); }

@@ -20,6 +20,7 @@
 #include "cli/view.h"
 #include "parser/load.h"
 #include "scene/flatten.h"
+#include "scene/lint.h"
 
 namespace lray::cli {
 
@@ -38,6 +39,7 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     if (!usage_mistakes.empty()) return report_usage_mistakes(usage_mistakes);
     const auto world =
         scene ? scene::flatten(*scene, options.flatten_limits, diagnostics) : std::nullopt;
+    if (world) scene::lint(*scene, *world, {.resolution = options.size}, diagnostics);
     times.flatten = watch.lap();
     LRAY_ASSERT(world || diagnostics.has_errors());
     if (const auto end = report.print(diagnostics, sources, options)) return *end;

@@ -14,36 +14,6 @@ namespace lray::scene {
 
 namespace {
 
-std::string_view name_of(NodeKind kind) {
-    switch (kind) {
-        case NodeKind::group:
-            return "group";
-        case NodeKind::sphere:
-            return "sphere";
-        case NodeKind::rectangle:
-            return "rectangle";
-        case NodeKind::triangle:
-            return "triangle";
-        case NodeKind::cylinder:
-            return "cylinder";
-        case NodeKind::disk:
-            return "disk";
-        case NodeKind::box:
-            return "box";
-        case NodeKind::plane:
-            return "plane";
-        case NodeKind::torus:
-            return "torus";
-        case NodeKind::mesh:
-            return "mesh";
-        case NodeKind::instance:
-            return "instance";
-        case NodeKind::light:
-            return "light";
-    }
-    LRAY_ASSERT(false);
-}
-
 DVec3 absolute(DVec3 v) {
     return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
 }

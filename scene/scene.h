@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,9 @@ enum class NodeKind : std::uint8_t {
     light,
 };
 inline constexpr std::size_t kNodeKindCount = static_cast<std::size_t>(NodeKind::light) + 1;
+
+/// Returns the word for it in messages: "sphere".
+std::string_view name_of(NodeKind kind);
 
 /// One thing in the scene, 32 bytes: scenes of millions of literal shapes hold one for each.
 /// Nodes form a directed graph without cycles: a node value placed twice is one node with two

@@ -15,6 +15,8 @@ std::uint32_t FileChecker::check(std::span<Item* const> list, Module* module) {
             variable.is_used = true;
             exports.try_emplace(variable.name, variable);
         }
+    } else {
+        unused_materials(list);
     }
     close_scope();
     return context_->frame_size;

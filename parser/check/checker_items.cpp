@@ -109,7 +109,11 @@ void FileChecker::let(LetItem& item) {
     variable.owner = context_;
     variable.warns_if_unused = !scopes_.is_outermost();
     variable.may_be_function = may_be_function(*item.value);
-    if (item.let_kind != LetKind::var) know_schema(item.name_span, schema_of(*item.value));
+    if (item.let_kind != LetKind::var) {
+        const BlockSchema* const schema = schema_of(*item.value);
+        know_schema(item.name_span, schema);
+        variable.is_material = schema != nullptr && schema->kind == BlockKind::material;
+    }
     if (item.slot == kNoSlot) {
         item.is_global = scopes_.is_outermost();
         item.slot = item.is_global ? program_.checked.global_count++ : context_->frame_size++;

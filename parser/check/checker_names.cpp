@@ -1,4 +1,5 @@
 // Finds out what names mean.
+#include <algorithm>
 #include <utility>
 
 #include "base/suggest_name.h"
@@ -20,6 +21,26 @@ void FileChecker::close_scope() {
                              fmt::format("`{}` is not used", symbols_.text(variable.name)));
     }
     scopes_.close();
+}
+
+// Of the main file: a file that is included, or that places nothing, is a library.
+void FileChecker::unused_materials(std::span<Item* const> list) {
+    const bool places_something = std::any_of(list.begin(), list.end(), [](const Item* item) {
+        const ItemKind kind = item->kind;
+        return kind == ItemKind::block || kind == ItemKind::literals ||
+               kind == ItemKind::for_loop || kind == ItemKind::while_loop ||
+               kind == ItemKind::conditional;
+    });
+    // A misspelt use would be told twice.
+    if (!places_something || diagnostics_.has_errors()) return;
+    for (const Variable& variable : scopes_.innermost()) {
+        const bool is_private = symbols_.text(variable.name).starts_with('_');
+        const bool is_own = variable.span.source == list.front()->span.source;
+        if (variable.is_used || !variable.is_material || is_private || !is_own) continue;
+        diagnostics_.warning(
+            Code::W1405, variable.span,
+            fmt::format("the material `{}` is not used", symbols_.text(variable.name)));
+    }
 }
 
 // What is to be said about a name before it is defined here.

@@ -95,6 +95,7 @@ class FileChecker {
     Variable& declare_value(Symbol name, Span span);
     void place_value(Variable& variable);
     void close_scope();
+    void unused_materials(std::span<Item* const> list);
 
     // checker_blocks.cpp
     void placed_block(const BlockItem& item, const Place& parent);

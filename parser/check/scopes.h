@@ -59,6 +59,7 @@ struct Variable {
     bool is_used = false;
     bool warns_if_unused = false;
     bool may_be_function = true;
+    bool is_material = false;  // for sure
     std::uint32_t slot = 0;
     Context* owner = nullptr;
     std::size_t scope = 0;

@@ -8,7 +8,7 @@
 // `:10` is the column in the line above; a place in another file is `name:line:column`, and no
 // place is `-`. Where no comment can stand, a file NAME.expected holds the same lines, without
 // `//` and with `line:column`. A first line `// limits: nesting=4` sets limits. What the scenes
-// name is in tests/errors/files.
+// name is in tests/errors/files. Warnings that are silent by default are told too.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -171,10 +171,10 @@ class ErrorCorpus : public ::testing::TestWithParam<std::string> {
 TEST_P(ErrorCorpus, SaysExactlyWhatIsExpected) {
     const std::filesystem::path path = kCorpus / (GetParam() + ".lrs");
     const Limits limits = limits_of(read_bytes(path.string()));
-    Loaded loaded = load_file(GetParam() + ".lrs", with_limits(limits.load));
+    Loaded loaded = load_file(GetParam() + ".lrs", with_limits(limits.load), all_warnings());
     EXPECT_EQ(loaded.scene.has_value(), !loaded.has_errors());
     if (loaded.scene) {
-        const auto world = scene::flatten(*loaded.scene, limits.flatten, loaded.diagnostics);
+        const auto world = flatten_and_lint(loaded, limits.flatten);
         EXPECT_EQ(world.has_value(), !loaded.has_errors());
     }
     EXPECT_EQ(expected(path), actual(loaded));

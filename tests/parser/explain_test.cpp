@@ -86,11 +86,10 @@ Loaded load_example(std::string_view example, const Setting& setting, bool is_wr
         text.replace(home, kHome.size(), directory.path());
     }
     const parser::LoadLimits limits = is_wrong ? setting.limits : parser::LoadLimits{};
-    Loaded loaded = load_file(directory.write(setting.name, text), with_limits(limits));
-    if (loaded.scene) {
-        const auto flatten_limits = is_wrong ? setting.flatten : scene::FlattenLimits{};
-        static_cast<void>(scene::flatten(*loaded.scene, flatten_limits, loaded.diagnostics));
-    }
+    Loaded loaded =
+        load_file(directory.write(setting.name, text), with_limits(limits), all_warnings());
+    static_cast<void>(
+        flatten_and_lint(loaded, is_wrong ? setting.flatten : scene::FlattenLimits{}));
     return loaded;
 }
 

@@ -25,12 +25,27 @@ std::string Loaded::text() const {
     return text;
 }
 
-Loaded load_file(const std::string& path, const parser::LoadSettings& settings) {
+Loaded load_file(const std::string& path, const parser::LoadSettings& settings,
+                 const WarningLevels& levels) {
     Loaded loaded;
+    loaded.diagnostics = Diagnostics(levels);
     FileAccess files;
     files.set_library(LRAY_SOURCE_DIR "/parser/std");
     loaded.scene = parser::load(path, settings, files, loaded.sources, loaded.diagnostics).scene;
     return loaded;
+}
+
+WarningLevels all_warnings() {
+    WarningLevels levels;
+    static_cast<void>(levels.set("all", WarningLevel::warn));
+    return levels;
+}
+
+std::optional<scene::World> flatten_and_lint(Loaded& loaded, const scene::FlattenLimits& limits) {
+    if (!loaded.scene) return std::nullopt;
+    auto world = scene::flatten(*loaded.scene, limits, loaded.diagnostics);
+    if (world) scene::lint(*loaded.scene, *world, {}, loaded.diagnostics);
+    return world;
 }
 
 Loaded load_text(std::string_view text, const parser::LoadSettings& settings,

@@ -12,6 +12,7 @@
 #include "base/source.h"
 #include "parser/load.h"
 #include "scene/flatten.h"
+#include "scene/lint.h"
 #include "scene/scene.h"
 #include "tests/support/temp_directory.h"
 
@@ -45,7 +46,15 @@ inline parser::LoadSettings with_limits(const parser::LoadLimits& limits) {
     return settings;
 }
 
-Loaded load_file(const std::string& path, const parser::LoadSettings& settings = {});
+Loaded load_file(const std::string& path, const parser::LoadSettings& settings = {},
+                 const WarningLevels& levels = {});
+
+/// Also those warnings that are silent by default.
+WarningLevels all_warnings();
+
+/// Flattens what was loaded and looks at it as a whole, as the program does.
+std::optional<scene::World> flatten_and_lint(Loaded& loaded,
+                                             const scene::FlattenLimits& limits = {});
 
 /// Loads the text as `main.lrs` in a directory with the companions.
 Loaded load_text(std::string_view text, const parser::LoadSettings& settings = {},

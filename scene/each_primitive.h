@@ -1,0 +1,21 @@
+// Goes through the primitives of a world.
+#pragma once
+
+#include "scene/world.h"
+
+namespace lray::scene {
+
+/// Calls visit(PrimitiveId, const Object&) for every primitive, in the order of ids, until it
+/// returns false.
+template <class Visit>
+void each_primitive(const World& world, Visit visit) {
+    for (std::size_t kind = 0; kind < kPrimitiveKindCount; ++kind) {
+        const std::vector<ObjectId>& object_ids = world.object_ids[kind];
+        for (std::size_t i = 0; i < object_ids.size(); ++i) {
+            const PrimitiveId id(static_cast<PrimitiveKind>(kind), i);
+            if (!visit(id, world.object(object_ids[i]))) return;
+        }
+    }
+}
+
+}  // namespace lray::scene

@@ -1,0 +1,27 @@
+// The way through the graph to an object of the world, for messages about it.
+#pragma once
+
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "scene/scene.h"
+#include "scene/world.h"
+
+namespace lray::scene {
+
+/// The nodes from below the root to the shape or mesh.
+using ObjectPath = std::vector<NodeId>;
+
+/// Returns the path of an object. Walks the graph as flatten() does, up to the object: for the few
+/// that a message is about.
+ObjectPath path_of(const Scene& scene, const World& world, ObjectId id);
+
+/// Says where the object is: a label with `message` at its shape; if it is placed by instances,
+/// labels there, and the names on the way to it as a note.
+void add_place(Diagnostic& diagnostic, const Scene& scene, const World& world, ObjectId id,
+               std::string message);
+
+/// Returns the shape's kind with its name, if it has one: "sphere `sun`".
+std::string title_of(const Scene& scene, const Node& node);
+
+}  // namespace lray::scene

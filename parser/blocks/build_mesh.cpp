@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "base/numerics.h"
 #include "parser/blocks/schemas.h"
 
 namespace lray::parser {
@@ -35,6 +36,14 @@ std::optional<std::uint32_t> find_part(const scene::Mesh& mesh, std::string_view
     diagnostics.error(Code::E0403, span, fmt::format("this mesh has no part `{}`", name))
         .with_hint(did_you_mean(name, names));
     return std::nullopt;
+}
+
+/// Returns the unit normal. One that was made unit and rounded to float once stays as it is.
+Vec3 unit_in_float(DVec3 normal) {
+    const bool is_rounded = DVec3{Vec3{normal}} == normal;
+    // The square of numbers that carry one rounding each carries two, and a little from before.
+    const bool is_unit = std::fabs(dot(normal, normal) - 1.0) <= double{gamma<float>(3)};
+    return Vec3{is_rounded && is_unit ? normal : glm::normalize(normal)};
 }
 
 /// A mesh from lists; all its numbers must fit a float.
@@ -94,7 +103,7 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
                                   fmt::format("row {} of `normals` is [0, 0, 0]", i));
                 return std::nullopt;
             }
-            mesh.normals.push_back(Vec3{glm::normalize(normal)});
+            mesh.normals.push_back(unit_in_float(normal));
         }
         mesh.normal_indices = mesh.triangles;
     }

@@ -38,12 +38,14 @@ std::optional<std::uint32_t> find_part(const scene::Mesh& mesh, std::string_view
     return std::nullopt;
 }
 
-/// Returns the unit normal. One that was made unit and rounded to float once stays as it is.
+/// Returns the unit normal. One that was made unit and rounded to float once stays as it is,
+/// however it was written.
 Vec3 unit_in_float(DVec3 normal) {
-    const bool is_rounded = DVec3{Vec3{normal}} == normal;
+    const Vec3 rounded{normal};
+    const double square = dot(DVec3{rounded}, DVec3{rounded});
     // The square of numbers that carry one rounding each carries two, and a little from before.
-    const bool is_unit = std::fabs(dot(normal, normal) - 1.0) <= double{gamma<float>(3)};
-    return Vec3{is_rounded && is_unit ? normal : glm::normalize(normal)};
+    const bool is_unit = std::fabs(square - 1.0) <= double{gamma<float>(3)};
+    return is_unit ? rounded : Vec3{glm::normalize(normal)};
 }
 
 /// A mesh from lists; all its numbers must fit a float.

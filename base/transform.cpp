@@ -92,6 +92,23 @@ Transform Transform::affine(const DMat3& linear, DVec3 offset) {
     return result;
 }
 
+std::optional<Transform> Transform::similarity(const DMat3& linear, DVec3 offset, double scale) {
+    if (!(scale > 0.0) || !std::isfinite(scale)) return std::nullopt;
+    const DMat3 unit = linear / scale;
+    const DMat3 gram = glm::transpose(unit) * unit;  // the identity, of a rotation or mirroring
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            const double error = std::fabs(gram[column][row] - (row == column ? 1.0 : 0.0));
+            if (!(error <= kSimilarityTolerance)) return std::nullopt;  // NaN too
+        }
+    }
+    Transform result;
+    result.linear_ = linear;
+    result.offset_ = offset;
+    result.scale_ = scale;
+    return result;
+}
+
 Transform Transform::then(const Transform& next) const {
     Transform result;
     result.linear_ = next.linear_ * linear_;

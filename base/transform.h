@@ -28,6 +28,13 @@ class Transform {
     /// Columns of `linear` are the images of the axes. Never counted as a similarity.
     static Transform affine(const DMat3& linear, DVec3 offset);
 
+    /// A map that is known to be a similarity which multiplies lengths by `scale`.
+    /// Errors: empty when `linear` is none, by more than kSimilarityTolerance of the scale.
+    static std::optional<Transform> similarity(const DMat3& linear, DVec3 offset, double scale);
+
+    /// Far above what millions of steps gather in rounding errors, far below what is seen.
+    static constexpr double kSimilarityTolerance = 1e-6;
+
     /// Returns the map that does this one first and `next` after it.
     Transform then(const Transform& next) const;
 

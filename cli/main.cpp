@@ -9,6 +9,7 @@
 #include "bvh/accel.h"
 #include "cli/console.h"
 #include "cli/dependencies.h"
+#include "cli/dump_scene.h"
 #include "cli/explain.h"
 #include "cli/format_files.h"
 #include "cli/frames.h"
@@ -84,6 +85,8 @@ ExitCode run(std::span<const char* const> arguments) {
         case Mode::render:
         case Mode::check:
             return check_or_render_frames(options);
+        case Mode::dump:
+            return dump_scene(options);
         case Mode::deps:
             return print_dependencies(options);
         case Mode::format:

@@ -59,6 +59,8 @@ constexpr std::array kInsteadOptions{
     OptionSpec{"fmt", "",
                "write scenes in the canonical style; with --check, list those that are not",
                set<&Options::is_formatting, true>},
+    OptionSpec{"dump", "", "write the scene evaluated: no loops, no functions, the same picture",
+               set<&Options::mode, Mode::dump>},
     OptionSpec{"deps", "", "the files that the scene reads, one per line",
                set<&Options::mode, Mode::deps>},
     OptionSpec{"explain", "WORD", "what a code like E0401, a block, a function or a topic means",

@@ -257,6 +257,7 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
             return options;
         case Mode::check:
         case Mode::deps:
+        case Mode::dump:
         case Mode::format:
         case Mode::render:
             break;
@@ -274,6 +275,12 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
     }
     if (options.scene_path.empty()) return usage_error("no scene is given", kUsage);
     if (auto failure = check_frames(options)) return *failure;
+    if (options.mode == Mode::dump) {
+        if (options.frames && options.frames->count() > 1) {
+            return usage_error("`--dump` writes one frame", "choose it with `--frame N`");
+        }
+        if (options.output_path.empty()) options.output_path = "-";
+    }
     if (options.mode != Mode::render) return options;
     if (auto failure = check_output(options)) return *failure;
     if (auto failure = check_numbering(options)) return *failure;

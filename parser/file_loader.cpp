@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <span>
 #include <utility>
 
 #include "base/did_you_mean.h"
+#include "base/path.h"
 #include "image/read.h"
 #include "scene/obj_reader.h"
 
@@ -46,7 +48,15 @@ std::string_view other_picture_format(std::string_view path) {
 std::optional<SourceId> FileLoader::main_scene(std::string_view path) {
     const std::optional<Found> found =
         add(files_.read_main(path, scene_limit_.bytes), {path, Span{}, Span{}, scene_limit_});
-    return found ? found->id : std::nullopt;
+    if (!found) return std::nullopt;
+    main_directory_ = absolute_path(directories_[*found->id]);
+    return found->id;
+}
+
+std::string FileLoader::path_from_main(SourceId file) const {
+    const std::string& path = sources_[file].path;
+    if (path.starts_with("std:")) return path;
+    return std::filesystem::path(absolute_path(path)).lexically_relative(main_directory_).string();
 }
 
 std::optional<SourceId> FileLoader::scene(std::string_view path, SourceId from, Span span) {
@@ -249,6 +259,7 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
     scene::Picture picture;
     picture.srgb_mean = image::mean_color(*image, true);
     picture.linear_mean = image::mean_color(*image, false);
+    picture.file = path_from_main(file);
     picture.pixels = std::move(*image);
     const scene::PictureId id(scene.pictures.size());
     scene.pictures.push_back(std::move(picture));
@@ -262,6 +273,7 @@ std::optional<scene::MeshId> FileLoader::read_mesh(SourceId file, Span span, sce
         sources_.release_text(file);  // nothing in it will be shown
     }
     if (!mesh) return std::nullopt;
+    mesh->file = path_from_main(file);
     scene.meshes.push_back(std::move(*mesh));
     return scene::MeshId(scene.meshes.size() - 1);
 }

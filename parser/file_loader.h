@@ -82,6 +82,7 @@ class FileLoader {
         std::optional<SourceId> id{};
     };
 
+    std::string path_from_main(SourceId file) const;
     std::optional<Found> read(const Request& request, SourceId from,
                               const std::set<std::string>& known = {});
     std::optional<Found> add(ReadResult result, const Request& request,
@@ -98,6 +99,7 @@ class FileLoader {
     SizeLimit texture_limit_{limits_.texture_bytes, "--max-texture-bytes"};
     std::uint64_t texture_pixels_left_ = limits_.texture_pixels;
     Diagnostics& diagnostics_;
+    std::string main_directory_{};
     std::map<SourceId, std::string> directories_;
     std::map<SourceId, std::string> identities_;  // empty: of what is no file
     std::map<std::pair<std::string, std::string>, std::optional<scene::MeshId>> meshes_;

@@ -28,6 +28,8 @@ struct MeshPart {
 struct Mesh {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
+    std::string file{};  // the path from the directory of the scene; empty: not from a file
+
     std::vector<Vec3> positions{};
     std::vector<Vec3> normals{};
     std::vector<Vec2> uvs{};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct ColorStop {
 
 /// A picture file that was read, kept as it is coded.
 struct Picture {
+    std::string file{};  // the path from the directory of the scene
     image::CodedImage pixels{};
     Color srgb_mean{0.0f};  // of its linear pixels, the codes read as sRGB
     Color linear_mean{0.0f};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "base/numerics.h"
 #include "parser/blocks/schemas.h"
 
 namespace lray::parser {
@@ -35,6 +36,16 @@ std::optional<std::uint32_t> find_part(const scene::Mesh& mesh, std::string_view
     diagnostics.error(Code::E0403, span, fmt::format("this mesh has no part `{}`", name))
         .with_hint(did_you_mean(name, names));
     return std::nullopt;
+}
+
+/// Returns the unit normal. One that was made unit and rounded to float once stays as it is,
+/// however it was written.
+Vec3 unit_in_float(DVec3 normal) {
+    const Vec3 rounded{normal};
+    const double square = dot(DVec3{rounded}, DVec3{rounded});
+    // The square of numbers that carry one rounding each carries two, and a little from before.
+    const bool is_unit = std::fabs(square - 1.0) <= double{gamma<float>(3)};
+    return is_unit ? rounded : Vec3{glm::normalize(normal)};
 }
 
 /// A mesh from lists; all its numbers must fit a float.
@@ -94,7 +105,7 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
                                   fmt::format("row {} of `normals` is [0, 0, 0]", i));
                 return std::nullopt;
             }
-            mesh.normals.push_back(Vec3{glm::normalize(normal)});
+            mesh.normals.push_back(unit_in_float(normal));
         }
         mesh.normal_indices = mesh.triangles;
     }

@@ -175,6 +175,8 @@ std::optional<ShapeRef> place(scene::NodeKind kind, std::vector<T>& shapes,
 }  // namespace
 
 DVec3 unit(DVec3 direction) {
+    // What was made unit once stays as it is, to the bit: 9 roundings in its square, 3 here.
+    if (std::fabs(dot(direction, direction) - 1.0) <= gamma<double>(12)) return direction;
     const double largest =
         std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
     return glm::normalize(direction / largest);

@@ -1,4 +1,6 @@
 // Functions that make transforms, and apply them.
+#include <fmt/format.h>
+
 #include <array>
 #include <optional>
 
@@ -37,6 +39,15 @@ Value make_scaling(Call& call) {
 Value make_matrix(Call& call) {
     return of_transform(call, matrix_of(call[0]));
 }
+Value make_similarity(Call& call) {
+    const Transform map = matrix_of(call[0]);
+    const auto similarity = Transform::similarity(map.linear(), map.offset(), call.number(1));
+    if (similarity) return of_transform(call, *similarity);
+    return no_value(call,
+                    fmt::format("these rows do not keep shapes, or do not multiply lengths by {}; "
+                                "`matrix` takes any rows",
+                                format_number(call.number(1))));
+}
 Value make_inverse(Call& call) {
     const std::optional<Transform> inverse = call[0].transform->inverse();
     if (inverse) return of_transform(call, *inverse);
@@ -65,6 +76,7 @@ constexpr std::array kBuiltins = {
     Builtin{"rotation_z", {kAngle}, make_rotation_z, "turns about Z"},
     Builtin{"scaling", {{{"factor", any_scale}}}, make_scaling, "scales by a number or by three"},
     Builtin{"matrix", {{{"rows", rows}}}, make_matrix, "3 or 4 rows of 4 numbers"},
+    Builtin{"similarity", {{{"rows", rows}, {"scale", number}}}, make_similarity, "a matrix that turns, moves and scales alike along all axes: spheres stay spheres. What `--dump` writes"},
     Builtin{"look_at", {{{"position", vec3}, {"target", vec3}}}, make_look_at, "puts the origin at position, with -Z towards target and Y upwards"},
     Builtin{"inverse", {{{"t", transform}}}, make_inverse, "undoes a transform"},
     Builtin{"apply", {{{"t", transform}, {"p", vec3}}}, apply_transform, "where a point goes"},

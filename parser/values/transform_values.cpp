@@ -24,6 +24,11 @@ Transform looking_at(const Transform& before, DVec3 target) {
         .then(Transform::translation(origin));
 }
 
+bool is_identity(const Transform& transform) {
+    return transform.is_similarity() && transform.similarity_scale() == 1.0 &&
+           transform.linear() == DMat3{1.0} && transform.offset() == DVec3{0.0};
+}
+
 }  // namespace
 
 Transform scaling_of(const Value& value) {
@@ -64,7 +69,10 @@ Transform with_step(const Transform& before, CommonProperty step, const Value& v
         case CommonProperty::matrix:
             return before.then(matrix_of(value));
         case CommonProperty::transform: {
-            if (value.is(ValueKind::transform)) return before.then(*value.transform);
+            if (value.is(ValueKind::transform)) {
+                // A product with the identity would change the signs of zeros.
+                return is_identity(before) ? *value.transform : before.then(*value.transform);
+            }
             Transform result = before;
             for (std::uint32_t i = 0; i < value.count; ++i) {
                 result = result.then(*value.elements[i].transform);

@@ -31,7 +31,7 @@ std::ostream& operator<<(std::ostream& out, const Golden& golden) {
     return out << golden.name;
 }
 
-/// Every scene of examples/ and tests/golden, and some twice.
+/// Every scene of examples/, the library and tests/golden, and some twice.
 std::vector<Golden> goldens() {
     return {
         {"primitives", "examples/primitives.lrs", {"--size", "160x120"}},
@@ -44,6 +44,22 @@ std::vector<Golden> goldens() {
         {"still_life_crop",
          "examples/still_life.lrs",
          {"--size", "160x120", "--crop", "10,30,90,100"}},
+        {"chess", "examples/chess.lrs", {"--size", "160x100"}},
+        {"chess_board", "examples/chess.lrs", {"--size", "120x120", "--camera", "board"}},
+        {"orbits_0", "examples/orbits.lrs", {"--size", "150x100", "--frame", "0"}},
+        {"orbits_3", "examples/orbits.lrs", {"--size", "150x100", "--frame", "3"}},
+        {"sphereflake", "examples/sphereflake.lrs", {"--size", "120x90"}},
+        {"staircase", "examples/staircase.lrs", {"--size", "120x160"}},
+        {"terrain",
+         "examples/terrain.lrs",
+         {"--size", "128x72", "-D", "detail=25", "-D", "trees=120"}},
+        {"terrain_map",
+         "examples/terrain.lrs",
+         {"--size", "64x64", "--camera", "map", "-D", "detail=25", "-D", "seed=7"}},
+        {"materials", "examples/lib/materials.lrs", {"--size", "120x60"}},
+        {"std_colors", "parser/std/colors.lrs", {"--size", "90x90"}},
+        {"std_lights", "parser/std/lights.lrs", {"--size", "128x80"}},
+        {"std_materials", "parser/std/materials.lrs", {"--size", "160x80"}},
         {"boxes", "tests/golden/boxes.lrs", {"--size", "160x120"}},
         {"cones", "tests/golden/cones.lrs", {"--size", "160x120"}},
         {"disks", "tests/golden/disks.lrs", {"--size", "160x120"}},
@@ -169,11 +185,10 @@ TEST(GoldenPictures, AreDescribedAndNoneIsForgotten) {
     }
     std::sort(names.begin(), names.end());
     EXPECT_EQ(stems(kTop / "tests" / "golden", ".ppm"), names);
-    for (const std::string folder : {"examples", "tests/golden"}) {
+    for (const std::string folder : {"examples", "examples/lib", "parser/std", "tests/golden"}) {
         for (const std::string& stem : stems(kTop / folder, ".lrs")) {
             const std::string scene = folder + "/" + stem + ".lrs";
-            const bool is_library = scene == "examples/materials.lrs";
-            EXPECT_TRUE(is_library || std::ranges::count(scenes, scene) > 0) << scene;
+            EXPECT_GT(std::ranges::count(scenes, scene), 0) << scene;
         }
     }
 }

@@ -189,7 +189,10 @@ bool measure(const std::filesystem::path& directory, int repeat_count) {
         const std::filesystem::path base = directory / program.name;
         const std::string lrs = write(base.string() + ".lrs", "", program.lrs);
         const std::optional<Usage> ours = best_of(repeat_count, [&] { return load(lrs); });
-        if (!ours) return false;
+        if (!ours) {
+            fmt::print(stderr, "{}: did not run\n", lrs);
+            return false;
+        }
         std::optional<Usage> theirs;
         if (has_povray && !program.pov.empty()) {
             const std::string pov = write(base.string() + ".pov", kPovHeader, program.pov);

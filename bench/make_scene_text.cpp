@@ -15,8 +15,9 @@
 namespace {
 
 constexpr std::string_view kUsage =
-    "usage: make_scene_text triangles|points|obj COUNT PATH\n"
+    "usage: make_scene_text triangles|points|painted|obj COUNT PATH\n"
     "  triangles  COUNT literal triangle blocks, one on a line (.lrs)\n"
+    "  painted    COUNT spheres, one on a line, each with a material by its name (.lrs)\n"
     "  points     one packed list of COUNT points, one on a line (.lrs)\n"
     "  obj        a height field of about COUNT triangles, positions and faces only (.obj)\n";
 
@@ -84,6 +85,17 @@ void write_triangles(std::uint64_t count, Writer& out) {
     }
 }
 
+void write_painted(std::uint64_t count, Writer& out) {
+    Coordinates random;
+    out.print("let red = material {{ diffuse: crimson }}\n");
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const double x = random.next();
+        const double y = random.next();
+        const double z = random.next();
+        out.print("sphere {{ center: [{:.4f}, {:.4f}, {:.4f}], material: red }}\n", x, y, z);
+    }
+}
+
 void write_points(std::uint64_t count, Writer& out) {
     Coordinates random;
     out.print("let points = [\n");
@@ -123,6 +135,7 @@ int main(int argc, char** argv) {
     char* end = nullptr;
     const std::uint64_t count = argc == 4 ? std::strtoull(argv[2], &end, 10) : 0;
     const auto write = kind == "triangles" ? write_triangles
+                       : kind == "painted" ? write_painted
                        : kind == "points"  ? write_points
                        : kind == "obj"     ? write_obj
                                            : nullptr;

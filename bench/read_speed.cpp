@@ -21,6 +21,7 @@
 #include "base/file_access.h"
 #include "base/source.h"
 #include "parser/load.h"
+#include "parser/tools/format.h"
 #include "scene/obj_reader.h"
 
 namespace {
@@ -32,6 +33,7 @@ constexpr std::string_view kUsage =
     "  Reads each .lrs or .obj file K times (5) on one thread; in seconds of processor time\n"
     "  bytes   the file into memory, nothing else\n"
     "  scene   .lrs: parser::load; .obj: the bytes and scene::read_obj\n"
+    "  format  .lrs: the bytes and parser::format\n"
     "  peak    of the process (VmHWM) after the first time; beyond: of that, more than before\n"
     "          and than the text\n";
 
@@ -73,6 +75,13 @@ bool read_scene(const char* path, Outcome& outcome) {
     const SourceId file = outcome.sources.add(path, std::move(result.text));
     outcome.mesh = scene::read_obj(outcome.sources, file, Span{}, outcome.diagnostics);
     return outcome.mesh.has_value();
+}
+
+bool format_scene(const char* path) {
+    FileAccess files;
+    Sources sources;
+    Diagnostics diagnostics;
+    return parser::format_file(path, {}, files, sources, diagnostics).has_value();
 }
 
 /// Returns the processor time that this process has used: what else the machine does is not in it.
@@ -134,10 +143,18 @@ bool measure(const char* path, int repeat_count) {
         byte_seconds.push_back(used_seconds() - begin);
     }
 
+    std::vector<double> format_seconds;
+    for (int i = 0; i < repeat_count && std::string_view(path).ends_with(".lrs"); ++i) {
+        const double begin = used_seconds();
+        if (!format_scene(path)) return false;
+        format_seconds.push_back(used_seconds() - begin);
+    }
+
     fmt::print("{}: {:.2f} MB, {} times\n", path, static_cast<double>(size) / kMega, repeat_count);
     fmt::print("         best s  median s  MB/s best  median\n");
     print_row("bytes", size, byte_seconds, "");
     print_row("scene", size, scene_seconds, memory);
+    if (!format_seconds.empty()) print_row("format", size, format_seconds, "");
     return true;
 }
 

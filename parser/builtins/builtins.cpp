@@ -100,10 +100,11 @@ std::optional<std::uint32_t> find_builtin(std::string_view name) {
 }
 
 Value call_builtin(const Builtin& builtin, Call& call) {
-    for (std::size_t i = 0; i < builtin.parameter_count(); ++i) {
+    for (std::size_t i = 0; i < kMaxParameters; ++i) {
+        const Parameter& parameter = builtin.parameters[i];
+        if (parameter.name.empty()) break;
         const Value& argument = call.arguments[i];
         if (argument.is(ValueKind::poison)) return argument;
-        const Parameter& parameter = builtin.parameters[i];
         if (fits(parameter.type, argument)) continue;
         if (!is_usable(builtin, fmt::format("`{}`", parameter.name), parameter.type, argument,
                        call.spans[i], call.diagnostics)) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "base/assert.h"
 #include "parser/check/check_arguments.h"
@@ -12,6 +13,25 @@
 #include "parser/values/value_text.h"
 
 namespace lray::parser {
+
+namespace {
+
+/// Room for what most calls of variadic functions take. Calls come by the million, and few of them
+/// need it: only what is used is made.
+struct FewArguments {
+    static constexpr std::size_t kCount = 8;
+
+    FewArguments() {}
+
+    union {
+        Value values[kCount];
+    };
+    union {
+        Span spans[kCount];
+    };
+};
+
+}  // namespace
 
 Value Evaluator::call(const CallExpr& expr) {
     const NameExpr* callee = nullptr;
@@ -42,25 +62,24 @@ Value Evaluator::call_builtin_function(const CallExpr& expr, const Builtin& buil
         return call_builtin(builtin, made);
     }
     Call made{{}, {}, {}, expr.span, arena(), budget_, diagnostics_, *this, {}, {}};
-    std::array<Value, 8> few_values;
-    std::array<Span, 8> few_spans;
+    FewArguments few;
     std::vector<Value> values;
     std::vector<Span> spans;
     std::size_t rest_count = 0;
-    const bool has_few = expr.arguments.size() <= few_values.size();
+    const bool has_few = expr.arguments.size() <= FewArguments::kCount;
     if (!has_few) {
         values.resize(expr.arguments.size());
         spans.resize(expr.arguments.size());
     }
-    Value* const rest = has_few ? few_values.data() : values.data();
-    Span* const rest_spans = has_few ? few_spans.data() : spans.data();
+    Value* const rest = has_few ? few.values : values.data();
+    Span* const rest_spans = has_few ? few.spans : spans.data();
     for (std::size_t i = 0; i < expr.arguments.size(); ++i) {
         const Expr& argument = *expr.arguments[i].value;
         const Value value = eval(argument);
         if (value.is(ValueKind::poison)) return value;
         if (expr.places[i] == kRestPlace) {
-            rest[rest_count] = value;
-            rest_spans[rest_count++] = argument.span;
+            new (&rest[rest_count]) Value(value);
+            new (&rest_spans[rest_count++]) Span(argument.span);
         } else {
             made.arguments[expr.places[i]] = value;
             made.spans[expr.places[i]] = argument.span;

@@ -3,6 +3,7 @@
 // is left to the full parser and its messages.
 #include <array>
 #include <cstring>
+#include <string_view>
 
 #include "parser/blocks/build_shape.h"
 #include "parser/blocks/property_type.h"
@@ -34,6 +35,14 @@ Separated skip_separators(const char* at) {
             return {at, is_separated};
         }
     }
+}
+
+/// True if what stands behind a `}` on its line may belong to the same item, `sphere { }{ }`: the
+/// full parser tells.
+bool may_go_on(const char* at) {
+    constexpr std::string_view kBegins = "{[(.\"";
+    at = skip_blanks(at);
+    return kBegins.find(*at) != std::string_view::npos || (at[0] == '/' && at[1] == '*');
 }
 
 /// How many numbers a literal of this type has; 0 for types that are not taken here.
@@ -102,7 +111,7 @@ bool Parser::literal_block(const Token& name, scene::NodeId& node) {
         values.set(slot, value);
         is_separated = false;
     }
-    if (!is_complete(properties, values)) return false;
+    if (!is_complete(properties, values) || may_go_on(at + 1)) return false;
 
     const Span span = lexer_.span(name.offset, static_cast<std::uint32_t>(at + 1 - lexer_.begin()));
     const std::optional<ShapeRef> shape =

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     std::vector<std::filesystem::path> paths;
     for (int i = 1; i < argc; ++i) {
         for (const auto& entry : std::filesystem::directory_iterator(argv[i])) {
-            paths.push_back(entry.path());
+            if (entry.is_regular_file()) paths.push_back(entry.path());
         }
     }
     std::ranges::sort(paths);

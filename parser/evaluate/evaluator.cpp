@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "parser/evaluate/deep_stack.h"
@@ -56,6 +57,8 @@ Diagnostic& Evaluator::error(Code code, Span span, std::string message) {
 }
 
 void Evaluator::explain_calls(Diagnostic& diagnostic) {
+    constexpr std::uint64_t kStepsPerCall = 8;  // to tell a call is work, however often it is told
+    budget_.steps -= std::min(budget_.steps, kStepsPerCall * calls_.size());
     for (std::size_t i = calls_.size(); i-- > 0;) {
         const Symbol name = calls_[i].function->name;
         diagnostic.with_call(calls_[i].span,

@@ -143,8 +143,8 @@ constexpr std::array<FutureProperty, 4> kPropertiesNotYet = {{
 }};
 
 // clang-format off
-constexpr std::array<std::string_view, 5> kNotYet = {{
-    "union", "intersection", "difference", "text", "light",
+constexpr std::array<std::string_view, 4> kNotYet = {{
+    "union", "intersection", "difference", "text",
 }};
 // clang-format on
 

@@ -13,9 +13,14 @@
 #include <utility>
 #include <vector>
 
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/asan_interface.h>
+#endif
+
 namespace lray::parser {
 
-/// Memory that is freed all at once. Holds only what needs no destructor.
+/// Memory that is freed all at once. Holds only what needs no destructor. AddressSanitizer sees
+/// what is read after it was given back.
 class Arena {
  public:
     Arena() = default;
@@ -59,6 +64,7 @@ class Arena {
 
     /// Gives back all that was allocated since the mark was taken; its memory is used again.
     void reset(const Mark& mark) {
+        poison_since(mark);
         next_ = mark.next;
         if (used_blocks_ == mark.block_count) return;
         used_blocks_ = mark.block_count;
@@ -79,13 +85,18 @@ class Arena {
         return !is_before(byte, mark.next) && is_before(byte, blocks_[mark.block_count - 1].end());
     }
 
-    /// Bytes allocated since the mark was taken, or a few more.
+    /// Bytes allocated since the mark was taken, or a few more: of a block that was left, what was
+    /// too small at its end counts.
     std::size_t size_since(const Mark& mark) const {
         if (used_blocks_ == mark.block_count) {
             return static_cast<std::size_t>(next_ - mark.next);
         }
-        std::size_t size = 0;
-        for (std::size_t i = mark.block_count; i < used_blocks_; ++i) size += blocks_[i].size;
+        const std::byte* const begin = blocks_[used_blocks_ - 1].bytes.get();
+        auto size = static_cast<std::size_t>(next_ - begin);
+        for (std::size_t i = mark.block_count; i + 1 < used_blocks_; ++i) size += blocks_[i].size;
+        if (mark.block_count > 0) {
+            size += static_cast<std::size_t>(blocks_[mark.block_count - 1].end() - mark.next);
+        }
         return size;
     }
 
@@ -95,12 +106,16 @@ class Arena {
     void* allocate(std::size_t size, std::size_t alignment) {
         auto begin = reinterpret_cast<std::uintptr_t>(next_);
         begin = (begin + alignment - 1) & ~(std::uintptr_t{alignment} - 1);
-        if (begin + size > reinterpret_cast<std::uintptr_t>(end_)) {
+        // Nothing, too, has a place: null would be taken for a failure.
+        if (next_ == nullptr || begin + size > reinterpret_cast<std::uintptr_t>(end_)) {
             add_block(size + alignment);
             begin = reinterpret_cast<std::uintptr_t>(next_);
             begin = (begin + alignment - 1) & ~(std::uintptr_t{alignment} - 1);
         }
         next_ = reinterpret_cast<std::byte*>(begin + size);
+#if defined(__SANITIZE_ADDRESS__)
+        ASAN_UNPOISON_MEMORY_REGION(reinterpret_cast<void*>(begin), size);
+#endif
         return reinterpret_cast<void*>(begin);
     }
 
@@ -126,6 +141,22 @@ class Arena {
         next_ = blocks_[used_blocks_].bytes.get();
         end_ = blocks_[used_blocks_].end();
         ++used_blocks_;
+    }
+
+    void poison_since([[maybe_unused]] const Mark& mark) {
+#if defined(__SANITIZE_ADDRESS__)
+        if (used_blocks_ == mark.block_count) {
+            ASAN_POISON_MEMORY_REGION(mark.next, static_cast<std::size_t>(next_ - mark.next));
+            return;
+        }
+        if (mark.block_count > 0) {
+            const std::byte* const end = blocks_[mark.block_count - 1].end();
+            ASAN_POISON_MEMORY_REGION(mark.next, static_cast<std::size_t>(end - mark.next));
+        }
+        for (std::size_t i = mark.block_count; i < used_blocks_; ++i) {
+            ASAN_POISON_MEMORY_REGION(blocks_[i].bytes.get(), blocks_[i].size);
+        }
+#endif
     }
 
     void free_unused() {

@@ -85,6 +85,10 @@ std::span<const BuiltinFamily> builtin_families();
 /// All functions, family by family.
 std::span<const Builtin> builtins();
 
+/// Returns how many numbers `range` gives: start + i * step, without the end.
+/// Shape: the step is not 0.
+double range_count(double start, double end, double step);
+
 /// Index into builtins(); empty if there is none of that name.
 std::optional<std::uint32_t> find_builtin(std::string_view name);
 

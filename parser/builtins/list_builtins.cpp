@@ -45,22 +45,9 @@ Value range_of(Call& call) {
         call.diagnostics.error(Code::E0304, call.spans[2], "a range with a step of 0 never ends");
         return Value::poison();
     }
-    const double distance = end - start;
-    const double quotient =
-        std::isfinite(distance) ? distance / step : (end / 2 - start / 2) / (step / 2);
-    double count = std::max(std::ceil(quotient), 0.0);
+    const double count = range_count(start, end, step);
     if (!may_have_elements(call.budget, count, call.span, call.diagnostics)) {
         return Value::poison();
-    }
-    // Rounding may have put the quotient on the other side of a whole number: elements decide.
-    const auto is_inside = [&](double i) {
-        const double at = start + i * step;
-        return step > 0.0 ? at < end : at > end;
-    };
-    if (count > 0.0 && !is_inside(count - 1.0)) {
-        count -= 1.0;
-    } else if (count > 0.0 && is_inside(count)) {
-        count += 1.0;
     }
     double* const numbers = take_list_of_numbers(call, count);
     if (numbers == nullptr) return Value::poison();
@@ -173,8 +160,12 @@ Value slice_of(Call& call) {
     if (call[0].is(ValueKind::list)) {
         return list_of(call, {call[0].elements + from, part.count});
     }
-    part.numbers += std::size_t{from} * (part.is(ValueKind::rows) ? part.width : 1);
-    return part;
+    const std::size_t width = part.is(ValueKind::rows) ? part.width : 1;
+    part.numbers += from * width;
+    // It is paid for all the same: parts that overlap may come apart when memory is given back.
+    return take_bytes(call.budget, part.count * width * sizeof(double), call.span, call.diagnostics)
+               ? part
+               : Value::poison();
 }
 
 Value zip_of(Call& call) {
@@ -254,6 +245,20 @@ constexpr std::array kBuiltins = {
 // clang-format on
 
 }  // namespace
+
+double range_count(double start, double end, double step) {
+    const double distance = end - start;
+    const double quotient =
+        std::isfinite(distance) ? distance / step : (end / 2 - start / 2) / (step / 2);
+    const double count = std::max(std::ceil(quotient), 0.0);
+    // Rounding may have put the quotient on the other side of a whole number: elements decide.
+    const auto is_inside = [&](double i) {
+        const double at = start + i * step;
+        return step > 0.0 ? at < end : at > end;
+    };
+    if (count > 0.0 && !is_inside(count - 1.0)) return count - 1.0;
+    return count > 0.0 && is_inside(count) ? count + 1.0 : count;
+}
 
 std::span<const Builtin> list_builtins() {
     return kBuiltins;

@@ -29,7 +29,7 @@ Checked check(std::span<Item* const> items, Symbols& symbols, const Sources& sou
     FileChecker checker(program);
     program.checked.frame_size = checker.check(items, nullptr);
     program.checked.function_count = program.functions.function_count();
-    program.functions.resolve(arena, program.checked.uses);
+    program.functions.resolve(arena, program.checked.uses, diagnostics);
     for (const auto& [call, use] : program.unused_calls) {
         if (program.checked.uses[use].function->has_effects) continue;
         diagnostics.error(Code::E0408, call->span, "the value of this call is not used")

@@ -64,6 +64,7 @@ void FileChecker::parts_of(Expr& expr) {
         case ExprKind::function: {
             FunctionExpr& value = static_cast<FunctionExpr&>(expr);
             program_.functions.add(value.function, context_);
+            for (Context::Loop& loop : context_->loops) loop.has_functions = true;
             function_body(*value.function);
             value.use = use(*value.function);
             return;

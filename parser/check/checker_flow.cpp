@@ -84,10 +84,10 @@ void FileChecker::for_loop(ForItem& item, const Place& place) {
 void FileChecker::while_loop(WhileItem& item, const Place& place) {
     ++program_.nesting;
     if (fits_nesting(item.condition->span)) {
-        scopes_.open(item.body.items, *context_);
-        context_->loops.push_back({scopes_.depth(), {}, {}, false, false, false});
+        context_->loops.push_back({scopes_.depth() + 1, {}, {}, false, false, false});
         expression(*item.condition);
         constant_condition(*item.condition);
+        scopes_.open(item.body.items, *context_);
         const Context::Loop loop = loop_body(item.body, place, item.loop);
         const bool is_true = item.condition->kind == ExprKind::boolean &&
                              static_cast<const BooleanExpr&>(*item.condition).value;

@@ -114,11 +114,6 @@ void FileChecker::function_body(Function& function) {
     }
     --program_.nesting;
     close_scope();
-    if (context_->captures_too_much) {
-        error(Code::E0306, function.name_span,
-              fmt::format("this uses more than {} names of the code around it", kMaxCaptures))
-            .with_help("pass them as parameters, in a list or a `record`");
-    }
     context_ = outer;
 }
 

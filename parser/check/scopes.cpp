@@ -1,5 +1,7 @@
 #include "parser/check/scopes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/assert.h"
@@ -96,7 +98,7 @@ std::uint32_t FunctionUses::use(Function& function, Context& from) {
     return static_cast<std::uint32_t>(uses_.size() - 1);
 }
 
-void FunctionUses::resolve(Arena& arena, std::vector<FunctionUse>& uses) {
+void FunctionUses::resolve(Arena& arena, std::vector<FunctionUse>& uses, Diagnostics& diagnostics) {
     // What a function captures and prints is also captured and printed by whoever names it.
     std::vector<std::vector<Context*>> named_by(functions_.size());
     for (const Use& use : uses_) named_by[use.function->id].push_back(use.from);
@@ -123,6 +125,13 @@ void FunctionUses::resolve(Arena& arena, std::vector<FunctionUse>& uses) {
         }
     }
     for (Context* context : functions_) {
+        if (context->captures_too_much) {
+            diagnostics
+                .error(
+                    Code::E0306, context->function->name_span,
+                    fmt::format("this uses more than {} names of the code around it", kMaxCaptures))
+                .with_help("pass them as parameters, in a list or a `record`");
+        }
         std::vector<std::uint32_t> slots;
         for (const Context::Captured& captured : context->captured) {
             slots.push_back(captured.own_slot);

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "base/source.h"
 #include "parser/arena.h"
 #include "parser/blocks/schema.h"
@@ -128,7 +129,8 @@ class FunctionUses {
     std::uint32_t use(Function& function, Context& from);
 
     /// Works out captures and effects, and writes them into the functions and uses.
-    void resolve(Arena& arena, std::vector<FunctionUse>& uses);
+    /// Errors: E0306 at a function that captures too much.
+    void resolve(Arena& arena, std::vector<FunctionUse>& uses, Diagnostics& diagnostics);
 
     const Function& function_of(std::uint32_t use) const { return *uses_[use].function; }
     Context& context(const Function& function) { return *functions_[function.id]; }

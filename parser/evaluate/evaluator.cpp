@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "parser/evaluate/deep_stack.h"
@@ -52,7 +53,9 @@ void Evaluator::run(std::span<Item* const> list) {
 }
 
 // The calls that are open, the innermost first.
-void Evaluator::explain_calls(Diagnostic& diagnostic) const {
+void Evaluator::explain_calls(Diagnostic& diagnostic) {
+    constexpr std::uint64_t kStepsPerCall = 8;  // to tell a call is work, however often it is told
+    budget_.steps -= std::min(budget_.steps, kStepsPerCall * calls_.size());
     for (std::size_t i = calls_.size(); i-- > 0;) {
         const Symbol name = calls_[i].function->name;
         diagnostic.with_call(calls_[i].span,

@@ -181,10 +181,12 @@ Value Evaluator::block_value(BlockExpr& expr) {
         const std::optional<NodeId> node = make_component(open, component, children, expr.label);
         if (!node) return Value::poison();
         Value value = made_value(ValueKind::node, open, node->value);
+        if (value.is(ValueKind::poison)) return value;
         Made* const kept = memory_.kept().make<Made>(*value.made);
         FunctionValue* const kept_component = memory_.kept().make<FunctionValue>(component);
         kept_component->captures =
-            keep_all({component.captures, component.function->capture_slots.size()});
+            keep_all({component.captures, component.function->capture_slots.size()}, expr.span);
+        if (kept_component->captures == nullptr) return Value::poison();
         kept->component = kept_component;
         kept->children = children;
         value.made = kept;
@@ -194,9 +196,13 @@ Value Evaluator::block_value(BlockExpr& expr) {
     return node ? made_value(ValueKind::node, open, node->value) : Value::poison();
 }
 
-const Value* Evaluator::keep_all(std::span<const Value> values) {
+// Null: there is no memory left for it.
+const Value* Evaluator::keep_all(std::span<const Value> values, Span span) {
+    ValueCopier keeper = memory_.keeper();
     std::vector<Value> kept(values.begin(), values.end());
-    for (Value& value : kept) value = memory_.keep(value);
+    for (Value& value : kept) value = keeper.copy(value);
+    if (!take_kept_bytes(budget_, keeper.size(), span, diagnostics_)) return nullptr;
+    kept.emplace_back();  // so that nothing is kept somewhere, too
     return memory_.kept().copy(kept).data();
 }
 
@@ -206,7 +212,8 @@ Value Evaluator::made_value(ValueKind kind, const OpenBlock& open, std::uint32_t
     if (!take_kept_bytes(budget_, size, open.span, diagnostics_)) return Value::poison();
     Made made;
     made.schema = &open.schema;
-    made.values = keep_all(values);
+    made.values = keep_all(values, open.span);
+    if (made.values == nullptr) return Value::poison();
     made.id = id;
     return Value::of_made(kind, memory_.kept().make<Made>(made));
 }
@@ -329,7 +336,7 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
     if (scene_.nodes.size() >= limit && !budget_.is_spent) {
         error(Code::E0513, open.span, fmt::format("the scene has more than {} nodes", limit))
             .with_help("raise the limit with `--max-nodes N`");
-        budget_.is_spent = true;
+        budget_.spend();
     }
     scene::Node node;
     node.kind = kind;

@@ -141,8 +141,8 @@ bool Evaluator::has_room(const Function& function, Span span) {
     const char here = 0;
     const std::uint32_t limit = environment_.settings.limits.call_depth;
     const bool is_stack_left = &here > stack_end_;
-    if (calls_.size() < limit && is_stack_left) return true;
     if (budget_.is_spent) return false;
+    if (calls_.size() < limit && is_stack_left) return true;
     std::string chain;
     constexpr std::size_t kShown = 3;
     for (std::size_t i = 0; i < std::min(kShown, calls_.size()); ++i) {
@@ -159,6 +159,7 @@ bool Evaluator::has_room(const Function& function, Span span) {
     diagnostic.with_help(
         "does it ever stop calling itself? if so, raise the limit with "
         "`--max-call-depth N`");
+    budget_.spend();  // or each of the calls that wait would go on, and come here again
     return false;
 }
 

@@ -48,8 +48,9 @@ class KeyWriter {
             case ValueKind::rows:
                 add(value.width);
                 return add_bytes(value.numbers, value.count, sizeof(double) * value.width);
-            case ValueKind::transform:
-                return add(value.transform);
+            case ValueKind::transform:  // by its numbers: the memory it lies in is used again
+                add(value.transform->linear());
+                return add(value.transform->offset());
             case ValueKind::texture:
             case ValueKind::material:
             case ValueKind::node:
@@ -177,16 +178,18 @@ std::optional<NodeId> Evaluator::instantiate(const FunctionValue& component,
         const bool has_key = is_memoised && key.size() <= kLongestKey;
         const auto known = has_key ? components_.find(key) : components_.end();
         if (known != components_.end()) {
-            made = known->second;
+            if (!known->second.is_none()) made = known->second;
         } else {
             frame_[function.children_slot] = node_value(children);
             OpenBlock open(block_schema(BlockKind::group), function.name_span);
             items(function.body.items, open);
             if (!open.is_poisoned) made = make_node(open, nullptr);
             const std::uint64_t size = key.size() + sizeof(NodeId);
-            const bool is_kept = made && has_key && failures_ == failures &&
-                                 take_kept_bytes(budget_, size, span, diagnostics_);
-            if (is_kept) components_.emplace(std::move(key), *made);
+            const bool is_whole = made && failures_ == failures;
+            const bool is_kept = has_key && take_kept_bytes(budget_, size, span, diagnostics_);
+            // What could not be made is not tried again: a tree of uses may be as large as it
+            // likes.
+            if (is_kept) components_.emplace(std::move(key), is_whole ? *made : NodeId{});
         }
     }
     leave();

@@ -132,6 +132,7 @@ Value Evaluator::binary(const BinaryExpr& expr) {
     using enum TokenKind;
     if (is_one_of(expr.op, kw_and, kw_or)) return logical(expr);
     const Value left = eval(*expr.left);
+    if (left.is(ValueKind::poison)) return left;
     const Value right = eval(*expr.right);
     if (left.is(ValueKind::number) && right.is(ValueKind::number)) {
         const double a = left.number;
@@ -384,7 +385,12 @@ Value Evaluator::list(const ListExpr& expr) {
 Value Evaluator::list_of(std::span<const Value> elements, Span span) {
     const std::uint64_t size = elements.size() * sizeof(Value);
     if (!take_bytes(budget_, size, span, diagnostics_)) return Value::poison();
-    return make_list(elements, arena());
+    const Value list = make_list(elements, arena());
+    if (list.depth() > kMaxValueDepth) {
+        return failed(Code::E0514, span,
+                      fmt::format("lists are nested more than {} deep", kMaxValueDepth));
+    }
+    return list;
 }
 
 Value Evaluator::comprehension(const ComprehensionExpr& expr) {
@@ -401,7 +407,10 @@ Value Evaluator::comprehension(const ComprehensionExpr& expr) {
         if (expr.condition != nullptr) {
             const std::optional<bool> is_wanted = condition(*expr.condition);
             if (!is_wanted) return Value::poison();
-            if (!*is_wanted) continue;
+            if (!*is_wanted) {
+                memory_.end(region);
+                continue;
+            }
         }
         const Value value = eval(*expr.value);
         if (value.is(ValueKind::poison)) return value;

@@ -122,7 +122,8 @@ std::optional<Evaluator::Misfit> Evaluator::misfit_of(const LetItem& item, const
     const Span span = item.value->span;
     if (choices.is(ValueKind::none)) {
         const bool is_same_kind =
-            value.kind == fallback.kind || has_type(TypeName::color, fallback);
+            value.kind == fallback.kind ||
+            (has_type(TypeName::color, fallback) && has_type(TypeName::color, value));
         if (is_same_kind || item.type != TypeName::any) return std::nullopt;
         return Misfit{Code::E0301, span,
                       fmt::format("`{}` is {} by default, this is {}", name, describe(fallback),
@@ -259,7 +260,7 @@ std::optional<Evaluator::Sequence> Evaluator::range_of(const CallExpr& call) {
         range.step = numbers[2];
     }
     if (range.step == 0.0) return std::nullopt;
-    const double size = std::ceil((end - range.start) / range.step);
+    const double size = range_count(range.start, end, range.step);
     if (!(size <= 9007199254740992.0)) return std::nullopt;  // 2^53: reported as too long a list
     range.count = size > 0.0 ? static_cast<std::uint64_t>(size) : 0;
     return range;

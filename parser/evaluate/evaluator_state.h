@@ -111,7 +111,7 @@ class Evaluator final : public Runtime {
     Value block_value(BlockExpr& expr);
     void start_copy(const Made& made, OpenBlock& open);
     bool body(const BlockExpr& expr, OpenBlock& open, bool is_new = true);
-    const Value* keep_all(std::span<const Value> values);
+    const Value* keep_all(std::span<const Value> values, Span span);
     void view_block(const BlockSchema& schema, BlockExpr& expr);
     std::optional<scene::NodeId> instance(const BlockExpr& expr, const Made& made);
     std::optional<scene::MaterialId> add_material(const OpenBlock& open);
@@ -185,7 +185,7 @@ class Evaluator final : public Runtime {
     std::optional<Sequence> sequence(const Expr& expr);
     std::optional<Sequence> range_of(const CallExpr& call);
 
-    void explain_calls(Diagnostic& diagnostic) const;
+    void explain_calls(Diagnostic& diagnostic);
     Diagnostic& error(Code code, Span span, std::string message) {
         return diagnostics_.error(code, span, std::move(message));
     }
@@ -220,8 +220,8 @@ class Evaluator final : public Runtime {
         std::size_t base = 0;  // of the frame it left
     };
     std::vector<ActiveCall> calls_;
-    std::vector<bool> is_imported_;  // by Module::id
-    std::unordered_map<std::string, scene::NodeId> components_;
+    std::vector<bool> is_imported_;                              // by Module::id
+    std::unordered_map<std::string, scene::NodeId> components_;  // none: it could not be made
     Value nothing_{};  // an empty group, once there is one
     std::uint64_t printed_bytes_ = 0;
     std::uint32_t range_builtin_ = 0;

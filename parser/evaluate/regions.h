@@ -32,18 +32,37 @@ class ValueCopier {
     std::size_t size() const { return size_; }
 
  private:
+    /// What is smaller is copied wherever it is used: to find it again would cost more.
+    static constexpr std::size_t kShared = 64;
+
     template <class T>
     const T* copied(const T* begin, std::size_t count) {
         if (!from_.holds(begin, mark_)) return begin;
-        size_ += count * sizeof(T);
-        return to_.copy(std::span<const T>(begin, count)).data();
+        const std::size_t size = count * sizeof(T);
+        if (size > kShared) {
+            const auto known = blobs_.find(begin);
+            if (known != blobs_.end() && known->second.size >= size) {
+                return static_cast<const T*>(known->second.at);
+            }
+        }
+        size_ += size;
+        const T* const copy = to_.copy(std::span<const T>(begin, count)).data();
+        if (size > kShared) blobs_.insert_or_assign(begin, Blob{copy, size});
+        return copy;
     }
+
+    /// Numbers or text, where it was copied to.
+    struct Blob {
+        const void* at = nullptr;
+        std::size_t size = 0;
+    };
 
     const Arena& from_;
     Arena::Mark mark_;
     Arena& to_;
     std::size_t size_ = 0;
     std::unordered_map<const void*, Value> shared_;
+    std::unordered_map<const void*, Blob> blobs_;
 };
 
 /// The memory of values.
@@ -81,8 +100,8 @@ class ValueMemory {
     template <class ForEach>
     std::size_t end_with_values(const Region& region, ForEach for_each_value);
 
-    /// Returns the value where it stays to the end of the run.
-    Value keep(const Value& value) { return ValueCopier(arena_, {}, kept_).copy(value); }
+    /// Copies values to where they stay to the end of the run.
+    ValueCopier keeper() { return ValueCopier(arena_, {}, kept_); }
 
  private:
     static constexpr std::size_t kLeastGarbage = std::size_t{64} << 10;

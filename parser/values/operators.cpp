@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "parser/syntax/ast.h"
 
 namespace lray::parser {
 
@@ -113,7 +114,7 @@ Packing packing_of(std::span<const Value> elements) {
     return are_rows ? Packing::rows : Packing::values;
 }
 
-/// Of values of one kind, lists and records excepted.
+/// Of values of one kind, lists, records and functions excepted.
 bool is_equal_flat(const Value& a, const Value& b) {
     switch (a.kind) {
         case ValueKind::none:
@@ -133,15 +134,13 @@ bool is_equal_flat(const Value& a, const Value& b) {
             return std::equal(a.numbers, a.numbers + a.count * width, b.numbers);
         }
         case ValueKind::transform:
-            return a.transform == b.transform;
+            return a.transform->linear() == b.transform->linear() &&
+                   a.transform->offset() == b.transform->offset();
         case ValueKind::texture:
         case ValueKind::material:
         case ValueKind::node:
             return a.made == b.made;
         case ValueKind::function:
-            return a.function->function == b.function->function &&
-                   a.function->builtin == b.function->builtin &&
-                   a.function->captures == b.function->captures;
         case ValueKind::record:
         case ValueKind::list:
             break;
@@ -157,7 +156,7 @@ bool take_steps(Budget& budget, std::uint64_t count, Span span, Diagnostics& dia
         budget.steps -= count;
         return true;
     }
-    budget.is_spent = true;
+    budget.spend();
     diagnostics
         .error(Code::E0512, span,
                fmt::format("evaluating the scene takes more than {} steps", budget.max_steps))
@@ -171,7 +170,7 @@ bool take_bytes(Budget& budget, std::uint64_t size, Span span, Diagnostics& diag
         budget.value_bytes -= size;
         return true;
     }
-    budget.is_spent = true;
+    budget.spend();
     diagnostics
         .error(
             Code::E0516, span,
@@ -288,6 +287,19 @@ std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& 
             for (std::uint32_t i = 0; i < left.count; ++i) {
                 if (left.fields[i].name != right.fields[i].name) return false;
                 pairs.emplace_back(left.fields[i].value, right.fields[i].value);
+            }
+        } else if (left.is(ValueKind::function)) {
+            const FunctionValue& a_function = *left.function;
+            const FunctionValue& b_function = *right.function;
+            if (a_function.function != b_function.function ||
+                a_function.builtin != b_function.builtin) {
+                return false;
+            }
+            const std::size_t count =
+                a_function.function == nullptr ? 0 : a_function.function->capture_slots.size();
+            if (!take_steps(budget, count, span, diagnostics)) return {};
+            for (std::size_t i = 0; i < count; ++i) {
+                pairs.emplace_back(a_function.captures[i], b_function.captures[i]);
             }
         } else if (!is_equal_flat(left, right)) {
             return false;

@@ -22,6 +22,11 @@ struct Budget {
     std::uint64_t max_list_size = 0;    // elements of one list
     std::uint64_t kept_bytes = 0;       // taken for good
     bool is_spent = false;
+
+    void spend() {
+        steps = 0;
+        is_spent = true;
+    }
 };
 
 /// Takes steps from the budget. Errors: false, E0512 reported at `span`.
@@ -55,7 +60,7 @@ Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena, Bu
                  Diagnostics& diagnostics);
 
 /// True if the values are the same: lists by their elements, records by their fields in order,
-/// blocks by identity. Each comparison of two elements is a step.
+/// functions by what they capture, blocks by identity. Each comparison of two elements is a step.
 /// Errors: empty, E0512 reported at `span`.
 std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& budget,
                              Diagnostics& diagnostics);

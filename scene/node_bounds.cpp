@@ -231,8 +231,8 @@ class Measurer {
             case NodeKind::torus: {
                 const auto& [radius, tube] = scene_.tori[node.index];
                 const DVec3 axis{0.0, 1.0, 0.0};
-                return around(0.0, radius * length(cross(direction, axis)) +
-                                       tube * length(direction));
+                return around(0.0,
+                              radius * length(cross(direction, axis)) + tube * length(direction));
             }
             case NodeKind::mesh:
                 return mesh_extent(scene_.mesh_uses[node.index], direction);

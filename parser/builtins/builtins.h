@@ -33,8 +33,8 @@ class Runtime {
     virtual Value call_function(const Value& function, std::span<const Value> arguments,
                                 Span span) = 0;
 
-    /// Prints one line for the user, without its line end.
-    virtual void print(std::string_view line) = 0;
+    /// Prints one line for the user, without its line end. Errors: E0517 at `span`.
+    virtual void print(std::string_view line, Span span) = 0;
 
     virtual const scene::Scene& scene() const = 0;
     virtual const Symbols& symbols() const = 0;

@@ -34,7 +34,7 @@ Value print_of(Call& call) {
     if (line.size() > kMaxLine) {
         line = text_of(call, Value::of_string(line, kNoSource), kMaxLine);
     }
-    call.runtime.print(line);
+    call.runtime.print(line, call.span);
     return kDone;
 }
 

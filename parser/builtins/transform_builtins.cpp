@@ -76,7 +76,7 @@ constexpr std::array kBuiltins = {
     Builtin{"rotation_z", {kAngle}, make_rotation_z, "turns about Z"},
     Builtin{"scaling", {{{"factor", any_scale}}}, make_scaling, "scales by a number or by three"},
     Builtin{"matrix", {{{"rows", rows}}}, make_matrix, "3 or 4 rows of 4 numbers"},
-    Builtin{"similarity", {{{"rows", rows}, {"scale", number}}}, make_similarity, "a matrix that turns, moves and scales alike along all axes: spheres stay spheres. What `--dump` writes"},
+    Builtin{"similarity", {{{"rows", rows}, {"scale", number}}}, make_similarity, "a matrix that turns, moves, and scales by `scale` alone; written by `--dump`"},
     Builtin{"look_at", {{{"position", vec3}, {"target", vec3}}}, make_look_at, "puts the origin at position, with -Z towards target and Y upwards"},
     Builtin{"inverse", {{{"t", transform}}}, make_inverse, "undoes a transform"},
     Builtin{"apply", {{{"t", transform}, {"p", vec3}}}, apply_transform, "where a point goes"},

@@ -45,9 +45,9 @@ std::span<const std::uint8_t> check_arguments(const CallExpr& expr, const Signat
             if (place == parameters.size()) {
                 std::vector<std::string_view> names;
                 for (const Signature::Parameter& known : parameters) names.push_back(known.name);
-                suggest_name(diagnostics.error(Code::E0306, argument.name_span,
-                                               fmt::format("`{}` has no argument `{}`",
-                                                           signature.name, text)),
+                suggest_name(diagnostics.error(
+                                 Code::E0306, argument.name_span,
+                                 fmt::format("`{}` has no argument `{}`", signature.name, text)),
                              text, names);
                 return {};
             }

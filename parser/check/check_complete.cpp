@@ -30,9 +30,10 @@ bool mixes_forms(const BlockSchema& schema, std::span<const Span> set, Diagnosti
     const bool first_is_later = set[first].offset > set[second].offset;
     const Span later = set[first_is_later ? first : second];
     const Span earlier = set[first_is_later ? second : first];
-    diagnostics.error(
-        Code::E0411, later,
-        fmt::format("give `{}` or `{}`, not both", properties[first].name, properties[second].name))
+    diagnostics
+        .error(Code::E0411, later,
+               fmt::format("give `{}` or `{}`, not both", properties[first].name,
+                           properties[second].name))
         .with_label(earlier, "the other one");
     return true;
 }

@@ -12,6 +12,10 @@ void FileChecker::declare_functions(std::span<Item* const> list) {
     for (Item* item : list) {
         if (item->kind == ItemKind::function) {
             declare_function(static_cast<FunctionItem&>(*item));
+        } else if (item->kind == ItemKind::let) {
+            const LetItem& let = static_cast<const LetItem&>(*item);
+            const bool is_broken = let.value->kind == ExprKind::error;
+            if (is_broken) program_.broken_names.push_back(symbols_.text(let.name));
         } else if (item->kind == ItemKind::include) {
             declare_functions(static_cast<const IncludeItem&>(*item).items);
         }

@@ -33,13 +33,19 @@ void FileChecker::unused_materials(std::span<Item* const> list) {
     });
     // A misspelt use would be told twice.
     if (!places_something || diagnostics_.has_errors()) return;
+    std::vector<const Variable*> unused;
     for (const Variable& variable : scopes_.innermost()) {
         const bool is_private = symbols_.text(variable.name).starts_with('_');
         const bool is_own = variable.span.source == list.front()->span.source;
         if (variable.is_used || !variable.is_material || is_private || !is_own) continue;
+        unused.push_back(&variable);
+    }
+    constexpr std::size_t kMostForgotten = 3;  // with more it is a library that shows itself
+    if (unused.size() > kMostForgotten) return;
+    for (const Variable* variable : unused) {
         diagnostics_.warning(
-            Code::W1405, variable.span,
-            fmt::format("the material `{}` is not used", symbols_.text(variable.name)));
+            Code::W1405, variable->span,
+            fmt::format("the material `{}` is not used", symbols_.text(variable->name)));
     }
 }
 
@@ -191,6 +197,10 @@ void FileChecker::name(NameExpr& expr, bool is_block_head) {
 void FileChecker::unknown_name(const NameExpr& expr, bool is_block_head) {
     const std::string_view text = symbols_.text(expr.symbol);
     if (has_failed_include_ || was_reported(text)) return;
+    // `component towerlevels = 3)` was to define `tower`.
+    for (const std::string_view broken : program_.broken_names) {
+        if (broken.starts_with(text)) return;
+    }
     if (is_not_yet_available(text)) {
         error(Code::E0120, expr.span,
               fmt::format("`{}` is not available in this version of lray", text));

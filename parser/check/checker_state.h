@@ -27,6 +27,7 @@ struct Program {
     std::unordered_map<const Module*, std::unordered_map<Symbol, Variable>> exports{};
     std::unordered_map<std::uint64_t, const BlockSchema*> schemas{};        // of values, by place
     std::vector<std::pair<const CallExpr*, std::uint32_t>> unused_calls{};  // with their use
+    std::vector<std::string_view> broken_names{};  // of definitions whose header is a mistake
     std::uint32_t nesting = 0;
     bool is_too_deep = false;  // reported, here or by the parser
 };

@@ -63,13 +63,13 @@ void Evaluator::explain_calls(Diagnostic& diagnostic) {
     }
 }
 
-void Evaluator::print(std::string_view line) {
+void Evaluator::print(std::string_view line, Span span) {
     const LoadSettings& settings = environment_.settings;
     const std::uint64_t limit = settings.limits.printed_bytes;
     if (printed_bytes_ > limit) return;
     printed_bytes_ += line.size() + 1;
     if (printed_bytes_ > limit) {
-        const Span span = calls_.empty() ? Span{} : calls_.back().span;
+        budget_.spend();
         error(Code::E0517, span, fmt::format("the scene prints more than {} bytes", limit))
             .with_help("raise the limit with `--max-printed-bytes N`");
         return;

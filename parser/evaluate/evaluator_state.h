@@ -59,7 +59,7 @@ class Evaluator final : public Runtime {
     // Runtime
     Value call_function(const Value& function, std::span<const Value> arguments,
                         Span span) override;
-    void print(std::string_view line) override;
+    void print(std::string_view line, Span span) override;
     const scene::Scene& scene() const override { return scene_; }
     const Symbols& symbols() const override { return symbols_; }
     Symbol intern(std::string_view name) override { return environment_.symbols.intern(name); }

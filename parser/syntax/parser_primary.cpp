@@ -96,8 +96,10 @@ Expr* Parser::list() {
     while (token_.kind != TokenKind::right_bracket && !is_panicking_ && !is_ended_) {
         const bool is_property =
             token_.kind == TokenKind::identifier && ahead().kind == TokenKind::colon;
-        if (is_property) {  // the list was not closed, and its last comma is a separator
-            is_separated_ = true;
+        if (is_property) {
+            // The list was not closed: its last comma separates arguments or, if no bracket is open
+            // around it, items.
+            is_separated_ = bracket_depth_ == 1;
             break;
         }
         elements.push_back(expression());

@@ -23,6 +23,21 @@ bool begins_property(const char* at) {
     return *at == ':';
 }
 
+/// True for ` name :`, ` name =` and the words that begin a definition or statement.
+bool begins_definition(const char* at) {
+    if (begins_property(at)) return true;
+    if (!is_a(*at, kLetter)) return false;
+    const char* const begin = at;
+    while (is_a(*at, kLetter | kDigit)) ++at;
+    const std::string_view word(begin, static_cast<std::size_t>(at - begin));
+    for (const std::string_view known : {"let", "var", "param", "fn", "component", "import",
+                                         "include", "for", "while", "return"}) {
+        if (word == known) return true;
+    }
+    while (is_a(*at, kBlank)) ++at;
+    return at[0] == '=' && at[1] != '=';
+}
+
 }  // namespace
 
 void Parser::advance() {
@@ -87,6 +102,7 @@ void Parser::synchronize() {
     is_panicking_ = false;
     if (is_separated_) return;  // the next item is known already
     const bool are_brackets_broken = std::exchange(has_broken_brackets_, false);
+    if (are_brackets_broken) skip_to_last_unopened_closer();
     bool is_first = true;
     while (token_.kind != TokenKind::end) {
         using enum TokenKind;
@@ -273,6 +289,63 @@ bool Parser::line_has_unopened_closer(const Token& from) const {
     return false;
 }
 
+// Skips what is left of a list or call whose brackets do not match: up to the last `)` or `]` of
+// this line that has no opening one. Names with colons in it are arguments, not properties.
+void Parser::skip_to_last_unopened_closer() {
+    if (token_.newline_before || token_.kind == TokenKind::end) return;
+    int brackets = 0;
+    int braces = 0;
+    bool is_string = false;
+    const char* last = nullptr;
+    const char* const begin = lexer_.begin() + token_.offset;
+    for (const char* at = begin; at < lexer_.end() && at < begin + kMaxLookAhead; ++at) {
+        if (*at == '\n' || *at == '\r' || (!is_string && at[0] == '/' && at[1] == '/')) break;
+        if (*at == '"') is_string = !is_string;
+        if (is_string) continue;
+        if (*at == '(' || *at == '[') ++brackets;
+        if (*at == '{') ++braces;
+        if (*at == '}' && --braces < 0) break;
+        const bool is_unopened = (*at == ')' || *at == ']') && --brackets < 0;
+        if (!is_unopened) continue;
+        brackets = 0;
+        last = at;
+    }
+    if (last == nullptr) return;
+    const auto end = static_cast<std::uint32_t>(last - lexer_.begin());
+    while (token_.kind != TokenKind::end && token_.offset <= end) advance();
+}
+
+// True if a `]` or `)` below this line closes a list whose opening bracket is missing: what stands
+// between are elements, not items.
+bool Parser::list_is_closed_below() const {
+    int brackets = 0;
+    int braces = 0;
+    bool is_string = false;
+    bool is_line_begin = false;
+    const char* const begin = lexer_.begin() + token_.offset;
+    for (const char* at = begin; at < lexer_.end() && at < begin + kMaxLookAhead; ++at) {
+        if (*at == '\n') {
+            is_string = false;
+            is_line_begin = true;
+            continue;
+        }
+        if (!is_string && at[0] == '/' && at[1] == '/') {
+            while (at + 1 < lexer_.end() && at[1] != '\n') ++at;
+            continue;
+        }
+        if (*at == '"') is_string = !is_string;
+        if (is_string || is_a(*at, kBlank)) continue;
+        const bool is_outermost = brackets == 0 && braces == 0;
+        if (is_line_begin && is_outermost && begins_definition(at)) return false;
+        is_line_begin = false;
+        if (*at == '(' || *at == '[') ++brackets;
+        if ((*at == ')' || *at == ']') && --brackets < 0) return braces == 0;
+        if (*at == '{') ++braces;
+        if (*at == '}' && --braces < 0) return false;
+    }
+    return false;
+}
+
 // True if this line closes more braces behind the token than were opened in it: one was lost.
 bool Parser::line_closes_too_many_braces(const Token& from) {
     int braces = 0;
@@ -297,6 +370,19 @@ bool Parser::skip_list_without_opener(const Expr& value) {
     using enum TokenKind;
     if (token_.newline_before && !is_one_of(token_.kind, right_bracket, right_paren)) return false;
     if (is_one_of(token_.kind, right_brace, semicolon, end)) return false;
+    if (token_.kind == comma && ahead().newline_before && list_is_closed_below()) {
+        for (int depth = 0;
+             depth > 0 || !is_one_of(token_.kind, right_bracket, right_paren, end);) {
+            if (is_opening(token_.kind)) ++depth;
+            if (is_closing(token_.kind)) --depth;
+            advance();
+        }
+        error(Code::E0104, span_of(token_), fmt::format("`{}` closes nothing", text_of(token_)))
+            .with_label(value.span, "perhaps an opening one is missing here");
+        advance();
+        is_panicking_ = false;
+        return true;
+    }
     const bool has_closer = line_has_unopened_closer(token_);
     const TokenKind next = token_.kind == comma ? ahead().kind : end;
     const bool has_element = is_one_of(next, number, minus, plus, left_bracket, left_paren, string,

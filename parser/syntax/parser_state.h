@@ -171,6 +171,8 @@ class Parser {
     // parser_recovery.cpp
     void synchronize();
     void skip_line();
+    void skip_to_last_unopened_closer();
+    bool list_is_closed_below() const;
     void skip_balanced();
     void skip_with_lines_below(const Token& head);
     bool starts_item(const Token& token, const Token& after) const;

@@ -304,10 +304,9 @@ void PieceReader::place_token(const Token& token, std::vector<Piece>& pieces) {
                before_previous_ == nothing && is_in_braces() && token.end() < text_.size() &&
                text_[token.end()] == text_[token.offset];
     // `if n <= 1 { return 1 }` may stay on its line.
-    const bool is_short = is_one_of(token.kind, TokenKind::kw_return, TokenKind::kw_break,
-                                    TokenKind::kw_continue);
-    piece.is_statement =
-        begins_item && frames_.size() > 1 && is_keyword(token.kind) && !is_short;
+    const bool is_short =
+        is_one_of(token.kind, TokenKind::kw_return, TokenKind::kw_break, TokenKind::kw_continue);
+    piece.is_statement = begins_item && frames_.size() > 1 && is_keyword(token.kind) && !is_short;
     if (!track_brackets(token, piece.role)) return fail(pieces);
     pieces.push_back(piece);
 

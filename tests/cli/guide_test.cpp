@@ -50,10 +50,9 @@ TEST(Guide, PicturesAreThoseOfTheScenes) {
     const char* const bless = std::getenv("LRAY_BLESS");
     const bool is_blessing = bless != nullptr && std::string_view(bless) == "guide";
     for (const Lesson& lesson : lessons()) {
-        const auto result = test::run_process(
-            {LRAY_BINARY, "-n", "1", "-i", "-", "-o", "-", "--format", "png", "--size", "240x180",
-             "--quiet"},
-            lesson.scene);
+        const auto result = test::run_process({LRAY_BINARY, "-n", "1", "-i", "-", "-o", "-",
+                                               "--format", "png", "--size", "240x180", "--quiet"},
+                                              lesson.scene);
         EXPECT_EQ(result.exit_code, 0) << lesson.title;
         EXPECT_EQ(result.err, "") << lesson.title;
         if (is_blessing) {

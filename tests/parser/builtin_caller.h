@@ -45,7 +45,7 @@ class BuiltinCaller : public parser::Runtime {
     // Runtime
     Value call_function(const Value& function, std::span<const Value> arguments,
                         Span span) override;
-    void print(std::string_view line) override { printed.emplace_back(line); }
+    void print(std::string_view line, Span) override { printed.emplace_back(line); }
     const scene::Scene& scene() const override { return scene_of_nodes; }
     const parser::Symbols& symbols() const override { return symbols_; }
     parser::Symbol intern(std::string_view name) override { return symbols_.intern(name); }

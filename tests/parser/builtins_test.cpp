@@ -96,6 +96,7 @@ const std::vector<VectorCase> kVectors = {
     {"apply(rotation([0, 0, 2], 90), [1, 0, 0])", {0, 1, 0}},
     {"apply(rotation([0, 0, 1], 180, about: [1, 0, 0]), [0, 0, 0])", {2, 0, 0}},
     {"apply(scaling(3), [1, 2, 3])", {3, 6, 9}},
+    {"apply(similarity([[0, -2, 0, 1], [2, 0, 0, 0], [0, 0, 2, 0]], 2), [1, 0, 3])", {1, 2, 6}},
     {"apply(scaling([1, 2, 3]), [1, 1, 1])", {1, 2, 3}},
     {"apply(inverse(translation([1, 2, 3])), [1, 2, 3])", {0, 0, 0}},
     {"apply(matrix([[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7]]), [1, 0, 0])", {5, 7, 7}},

@@ -25,7 +25,7 @@ class FakeRuntime : public parser::Runtime {
         ++calls;
         return function(arguments);
     }
-    void print(std::string_view) override {}
+    void print(std::string_view, Span) override {}
     const scene::Scene& scene() const override { return scene_; }
     const parser::Symbols& symbols() const override { return symbols_; }
     parser::Symbol intern(std::string_view) override { return parser::kNoSymbol; }

@@ -133,6 +133,8 @@ Limits limits_of(std::string_view text) {
             limits.load.value_bytes = value;
         } else if (name == "list_size") {
             limits.load.list_size = value;
+        } else if (name == "printed_bytes") {
+            limits.load.printed_bytes = value;
         } else if (name == "primitives") {
             limits.flatten.primitives = value;
         } else if (name == "lights") {

@@ -222,7 +222,8 @@ TEST(Format, TextsWithMistakesKeepThem) {
     std::size_t count = 0;
     for (const std::string& text : error_cases()) {
         const std::string codes = load_text(text).codes();
-        const bool is_understood = codes.find("E00") == codes.npos && codes.find("E01") == codes.npos;
+        const bool is_understood =
+            codes.find("E00") == codes.npos && codes.find("E01") == codes.npos;
         const Formatted formatted(text);
         if (!formatted.text || !is_understood) continue;
         ++count;

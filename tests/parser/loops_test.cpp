@@ -100,7 +100,7 @@ TEST(Loops, StopAtAnErrorAndTellItOnce) {
                       "  print(x)\n}\nprint(\"on\")"),
               "0\non\nE0503 4:13 division by zero\n");
     EXPECT_EQ(told_by("var n = 0\nwhile n < 10 {\n  n = n + 1\n  assert(n < 3)\n}\nprint(n)"),
-              "3\nE0507 4:3 `n < 3` does not hold\n");
+              "3\nE0507 4:10 `n < 3` does not hold\n");
 }
 
 TEST(Scopes, EndWithTheirBraces) {
@@ -150,9 +150,9 @@ print(v.y)
 
 TEST(Messages, AssertShowsBothSides) {
     const Ran loaded = run("let a = [1, 2]\nlet b = 3\nassert(len(a) == b, \"lengths\")");
-    EXPECT_EQ(loaded.told(), "E0507 3:1 lengths\n");
+    EXPECT_EQ(loaded.told(), "E0507 3:8 lengths\n");
     EXPECT_EQ(loaded.loaded.diagnostics.sorted()[0]->notes.at(0), "`len(a)` is 2, `b` is 3");
-    EXPECT_EQ(told_by("let a = 1\nassert(a < 0)"), "E0507 2:1 `a < 0` does not hold\n");
+    EXPECT_EQ(told_by("let a = 1\nassert(a < 0)"), "E0507 2:8 `a < 0` does not hold\n");
     EXPECT_EQ(told_by("let a = 1\nassert(a > 0)\nassert(a == 1, 1 / 0)"), "");
 }
 

@@ -37,7 +37,7 @@ TEST(Imports, GiveWhatIsAtTheirTopLevel) {
     EXPECT_EQ(told("import \"lib.lrs\" as l\nlet x = l.state", files),
               "E0207 2:11 lib.lrs has no `state`\n");
     EXPECT_EQ(told("import \"lib.lrs\" as l\nlet x = size", files),
-              "W1101 1:21 `l` is not used\nE0201 2:9 unknown name `size`\n");
+              "E0201 2:9 unknown name `size`\n");
     EXPECT_EQ(told("import \"lib.lrs\" as l\nlet x = l", files).substr(0, 9), "E0301 2:9");
 }
 

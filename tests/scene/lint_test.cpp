@@ -53,7 +53,7 @@ TEST(Lint, EveryCameraIsAskedWhereItIsAndTheFirstWhatItSees) {
     add_camera(maker, {0, 0, 5}, {0, 0, 9});
     EXPECT_EQ(codes(maker), "W1203 ");
     std::swap(maker.scene.cameras[0], maker.scene.cameras[2]);
-    EXPECT_EQ(codes(maker), "W1205 W1203 ");
+    EXPECT_EQ(codes(maker), "W1203 W1205 ");
 }
 
 TEST(Lint, AThousandLightsInsideAreToldOnceForEachPlaceOfTheFirst) {

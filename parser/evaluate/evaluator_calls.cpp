@@ -142,7 +142,7 @@ bool Evaluator::has_room(const Function& function, Span span) {
     const std::uint32_t limit = environment_.settings.limits.call_depth;
     const bool is_stack_left = &here > stack_end_;
     if (budget_.is_spent) return false;
-    if (calls_.size() < limit && is_stack_left) return true;
+    if (calls_.size() < limit && is_stack_left) return take_share(function.frame_size, span);
     std::string chain;
     constexpr std::size_t kShown = 3;
     for (std::size_t i = 0; i < std::min(kShown, calls_.size()); ++i) {

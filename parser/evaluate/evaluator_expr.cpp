@@ -343,6 +343,7 @@ Value Evaluator::node_member(const MemberExpr& expr, const Made& made) {
 }
 
 Value Evaluator::record_member(const MemberExpr& expr, const Value& record) {
+    if (!take_share(record.count, expr.span)) return Value::poison();
     for (std::uint32_t i = 0; i < record.count; ++i) {
         if (record.fields[i].name == expr.name) return record.fields[i].value;
     }

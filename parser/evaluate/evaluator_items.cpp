@@ -13,6 +13,7 @@
 namespace lray::parser {
 
 Flow Evaluator::items(std::span<Item* const> list, OpenBlock& open) {
+    if (!take_share(list.size(), list.empty() ? Span{} : list.front()->span)) return Flow::normal;
     for (Item* at : list) {
         const Flow flow = item(*at, open);
         if (flow != Flow::normal) return flow;
@@ -34,6 +35,12 @@ Flow Evaluator::item(Item& item, OpenBlock& open) {
         case ItemKind::literals: {
             if (open.is_import) return Flow::normal;
             const LiteralsItem& literals = static_cast<const LiteralsItem&>(item);
+            // A group in a loop may hold them any number of times.
+            const std::uint64_t size = std::uint64_t{literals.count} * sizeof(scene::NodeId);
+            const bool is_paid =
+                open.span.is_nowhere() || (take_share(literals.count, item.span) &&
+                                           take_kept_bytes(budget_, size, item.span, diagnostics_));
+            if (!is_paid) return Flow::normal;
             for (std::uint32_t i = 0; i < literals.count; ++i) {
                 open.children.push_back(scene::NodeId(literals.first_node + i));
             }
@@ -303,6 +310,8 @@ Flow Evaluator::while_loop(WhileItem& item, OpenBlock& open) {
 
 Flow Evaluator::time_round(const Body& body, const LoopInfo& loop, LoopMemory& memory,
                            OpenBlock& open) {
+    const std::size_t slots = loop.renewed.size() + loop.assigned.size();
+    if (!take_share(slots, body.open)) return Flow::break_loop;
     for (const std::uint32_t slot : loop.renewed) frame_[slot] = Value{};
     const Flow flow = items(body.items, open);
     if (flow == Flow::normal || flow == Flow::continue_loop) end_round(loop, memory);

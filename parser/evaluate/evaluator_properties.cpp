@@ -82,6 +82,7 @@ void Evaluator::free_field(const PropertyItem& item, const Value& value, OpenBlo
         return;
     }
     if (open.schema.kind == BlockKind::record) {
+        if (!take_share(open.fields.size(), item.name_span)) return;
         for (RecordField& field : open.fields) {
             if (field.name != item.name) continue;
             field.value = value;

@@ -189,6 +189,11 @@ class Evaluator final : public Runtime {
     Diagnostic& error(Code code, Span span, std::string message) {
         return diagnostics_.error(code, span, std::move(message));
     }
+    /// Takes a step for every few of what is gone through without one of its own.
+    bool take_share(std::size_t count, Span span) {
+        constexpr std::size_t kFew = 16;
+        return count < kFew || take_steps(budget_, count / kFew, span, diagnostics_);
+    }
     Value failed(Code code, Span span, std::string message) {
         error(code, span, std::move(message));
         return Value::poison();

@@ -35,6 +35,14 @@ bool is_immediate(const Value& value) {
     LRAY_ASSERT(false);
 }
 
+/// Bytes of a value's own contents, without what these refer to.
+std::size_t shallow_size(const Value& value) {
+    if (value.is(ValueKind::string)) return value.count;
+    if (value.is(ValueKind::list)) return value.count * sizeof(Value);
+    if (value.is(ValueKind::record)) return value.count * sizeof(RecordField);
+    return sizeof(double) * value.count * std::max<std::size_t>(value.width, 1);
+}
+
 }  // namespace
 
 Value ValueCopier::copy(const Value& value) {
@@ -136,7 +144,8 @@ Value ValueMemory::end_with(const Region& region, const Value& result) {
             std::min<std::uint64_t>(budget_.value_bytes, result.count * sizeof(double));
         return moved;
     }
-    if (!is_worth_copying(region, 0)) return result;
+    // What is returned through many calls must not be copied by each of them.
+    if (!is_worth_copying(region, shallow_size(result))) return result;
     Value moved = result;
     end_with_values(region, [&](auto visit) { visit(moved); });
     return moved;

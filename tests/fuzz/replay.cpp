@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
     std::vector<std::filesystem::path> paths;
     for (int i = 1; i < argc; ++i) {
         for (const auto& entry : std::filesystem::directory_iterator(argv[i])) {
-            if (entry.is_regular_file()) paths.push_back(entry.path());
+            const bool is_picture = entry.path().extension() == ".ppm";  // beside golden scenes
+            if (entry.is_regular_file() && !is_picture) paths.push_back(entry.path());
         }
     }
     std::ranges::sort(paths);

@@ -12,116 +12,6 @@ namespace lray::parser {
 
 namespace {
 
-std::string_view in_words(PropertyType type) {
-    switch (type) {
-        case PropertyType::number:
-            return "number";
-        case PropertyType::integer:
-            return "whole number";
-        case PropertyType::boolean:
-            return "true or false";
-        case PropertyType::string:
-            return "string";
-        case PropertyType::option:
-            return "one of";
-        case PropertyType::point:
-            return "point";
-        case PropertyType::direction:
-            return "direction";
-        case PropertyType::vec2:
-            return "2 numbers";
-        case PropertyType::size2:
-            return "2 numbers";
-        case PropertyType::size3:
-            return "3 numbers";
-        case PropertyType::color:
-            return "colour";
-        case PropertyType::angle:
-            return "degrees";
-        case PropertyType::scale:
-            return "number or 3";
-        case PropertyType::rotation:
-            return "3 angles, or rotation";
-        case PropertyType::matrix:
-            return "rows of 4 numbers";
-        case PropertyType::transform:
-            return "transform, or list";
-        case PropertyType::material:
-            return "material";
-        case PropertyType::roughness:
-            return "number or 2";
-        case PropertyType::resolution:
-            return "2 whole numbers";
-        case PropertyType::file:
-            return "file";
-        case PropertyType::points:
-            return "list of points";
-        case PropertyType::uvs:
-            return "list of pairs";
-        case PropertyType::index_triples:
-            return "list of triples";
-        case PropertyType::any:
-            return "any value";
-        case PropertyType::function:
-            return "function";
-        case PropertyType::height_rows:
-            return "rows of numbers";
-        case PropertyType::texture:
-            return "texture";
-        case PropertyType::stops:
-            return "stops of a colour";
-        case PropertyType::focus:
-            return "distance or point";
-    }
-    LRAY_ASSERT(false);
-}
-
-std::string_view type_name(ParameterType type) {
-    switch (type) {
-        case ParameterType::number:
-            return "number";
-        case ParameterType::elements:
-            return "number or vector";
-        case ParameterType::vector:
-            return "vector";
-        case ParameterType::vec3:
-            return "3 numbers";
-        case ParameterType::color:
-            return "colour";
-        case ParameterType::transform:
-            return "transform";
-        case ParameterType::rows:
-            return "3 or 4 rows of 4 numbers";
-        case ParameterType::any_scale:
-            return "number or 3";
-        case ParameterType::any:
-            return "anything";
-        case ParameterType::integer:
-            return "whole number";
-        case ParameterType::string:
-            return "string";
-        case ParameterType::list:
-            return "list";
-        case ParameterType::numbers:
-            return "list of numbers";
-        case ParameterType::function:
-            return "function";
-        case ParameterType::node:
-            return "node";
-        case ParameterType::position:
-            return "number, or 2 or 3";
-        case ParameterType::boolean:
-            return "true or false";
-        case ParameterType::blendable:
-            return "number, vector or colour";
-        case ParameterType::points:
-            return "list of points";
-        case ParameterType::key:
-            return "number or string";
-    }
-    LRAY_ASSERT(false);
-}
-
 /// "greater than 0", "0 to 1"; empty where any number will do.
 std::string in_words(const Range& range) {
     const bool has_min = std::isfinite(range.min);
@@ -135,7 +25,7 @@ std::string in_words(const Range& range) {
 }
 
 std::string type_of(const PropertySchema& property) {
-    std::string text(in_words(property.type));
+    std::string text(type_name(property.type));
     for (std::size_t i = 0; i < property.options.size(); ++i) {
         text += fmt::format("{} \"{}\"", i == 0 ? "" : ",", property.options[i]);
     }
@@ -176,6 +66,115 @@ std::string describe_forms(const BlockSchema& block) {
 }
 
 }  // namespace
+
+std::string_view type_name(PropertyType type) {
+    switch (type) {
+        case PropertyType::number:
+            return "number";
+        case PropertyType::integer:
+            return "whole number";
+        case PropertyType::boolean:
+            return "`true` or `false`";
+        case PropertyType::string:
+            return "string";
+        case PropertyType::option:
+            return "one of";
+        case PropertyType::point:
+            return "point";
+        case PropertyType::direction:
+            return "direction";
+        case PropertyType::vec2:
+        case PropertyType::size2:
+            return "2 numbers";
+        case PropertyType::size3:
+            return "3 numbers";
+        case PropertyType::color:
+            return "colour";
+        case PropertyType::angle:
+            return "degrees";
+        case PropertyType::scale:
+            return "number or 3 numbers, none 0";
+        case PropertyType::rotation:
+            return "3 angles, or a transform";
+        case PropertyType::matrix:
+            return "3 or 4 rows of 4 numbers";
+        case PropertyType::transform:
+            return "transform, or a list of them";
+        case PropertyType::material:
+            return "material";
+        case PropertyType::roughness:
+            return "number or 2 numbers";
+        case PropertyType::resolution:
+            return "2 whole numbers";
+        case PropertyType::file:
+            return "path";
+        case PropertyType::points:
+            return "rows of 3 numbers";
+        case PropertyType::uvs:
+            return "rows of 2 numbers";
+        case PropertyType::any:
+            return "any value";
+        case PropertyType::index_triples:
+            return "rows of 3 whole numbers";
+        case PropertyType::function:
+            return "function";
+        case PropertyType::height_rows:
+            return "rows of numbers";
+        case PropertyType::texture:
+            return "texture";
+        case PropertyType::stops:
+            return "pairs of place and colour";
+        case PropertyType::focus:
+            return "distance or point";
+    }
+    LRAY_ASSERT(false);
+}
+
+std::string_view type_name(ParameterType type) {
+    switch (type) {
+        case ParameterType::number:
+            return "number";
+        case ParameterType::elements:
+            return "number or vector";
+        case ParameterType::vector:
+            return "vector";
+        case ParameterType::vec3:
+            return "3 numbers";
+        case ParameterType::color:
+            return "colour";
+        case ParameterType::transform:
+            return "transform";
+        case ParameterType::rows:
+            return "3 or 4 rows of 4 numbers";
+        case ParameterType::any_scale:
+            return "number or 3 numbers";
+        case ParameterType::any:
+            return "any value";
+        case ParameterType::integer:
+            return "whole number";
+        case ParameterType::string:
+            return "string";
+        case ParameterType::list:
+            return "list";
+        case ParameterType::numbers:
+            return "list of numbers";
+        case ParameterType::function:
+            return "function";
+        case ParameterType::node:
+            return "node";
+        case ParameterType::position:
+            return "number or 2 or 3 numbers";
+        case ParameterType::key:
+            return "number or string";
+        case ParameterType::boolean:
+            return "`true` or `false`";
+        case ParameterType::blendable:
+            return "number, vector or colour";
+        case ParameterType::points:
+            return "rows of 3 numbers";
+    }
+    LRAY_ASSERT(false);
+}
 
 std::optional<std::string> describe_block(std::string_view name) {
     const BlockSchema* const block = find_block(name);

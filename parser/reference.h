@@ -5,7 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "parser/blocks/schema.h"
+#include "parser/builtins/parameter_type.h"
+
 namespace lray::parser {
+
+/// Returns what a property or parameter takes, in a few words: "2 numbers".
+std::string_view type_name(PropertyType type);
+std::string_view type_name(ParameterType type);
 
 /// Returns what a block is and a table of its properties: type, default, meaning; empty if there
 /// is no block of that name.

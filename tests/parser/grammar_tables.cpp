@@ -10,6 +10,7 @@
 #include "parser/blocks/schema.h"
 #include "parser/builtins/builtins.h"
 #include "parser/builtins/prelude.h"
+#include "parser/reference.h"
 #include "parser/syntax/token.h"
 #include "parser/values/value.h"
 
@@ -18,71 +19,12 @@ namespace lray::parser {
 namespace {
 
 std::string in_words(const PropertySchema& property) {
-    switch (property.type) {
-        case PropertyType::number:
-            return "number";
-        case PropertyType::integer:
-            return "whole number";
-        case PropertyType::boolean:
-            return "`true` or `false`";
-        case PropertyType::string:
-            return "string";
-        case PropertyType::option: {
-            std::string options;
-            for (const std::string_view option : property.options) {
-                options += fmt::format("{}`\"{}\"`", options.empty() ? "" : " ", option);
-            }
-            return options;
-        }
-        case PropertyType::point:
-            return "point";
-        case PropertyType::direction:
-            return "direction";
-        case PropertyType::vec2:
-        case PropertyType::size2:
-            return "2 numbers";
-        case PropertyType::size3:
-            return "3 numbers";
-        case PropertyType::color:
-            return "colour";
-        case PropertyType::angle:
-            return "degrees";
-        case PropertyType::scale:
-            return "number or 3 numbers, none 0";
-        case PropertyType::rotation:
-            return "3 angles, or a transform";
-        case PropertyType::matrix:
-            return "3 or 4 rows of 4 numbers";
-        case PropertyType::transform:
-            return "transform, or a list of them";
-        case PropertyType::material:
-            return "material";
-        case PropertyType::roughness:
-            return "number or 2 numbers";
-        case PropertyType::resolution:
-            return "2 whole numbers";
-        case PropertyType::file:
-            return "path";
-        case PropertyType::points:
-            return "rows of 3 numbers";
-        case PropertyType::uvs:
-            return "rows of 2 numbers";
-        case PropertyType::any:
-            return "any value";
-        case PropertyType::index_triples:
-            return "rows of 3 whole numbers";
-        case PropertyType::function:
-            return "function";
-        case PropertyType::height_rows:
-            return "rows of numbers";
-        case PropertyType::texture:
-            return "texture";
-        case PropertyType::stops:
-            return "pairs of place and colour";
-        case PropertyType::focus:
-            return "distance or point";
+    if (property.type != PropertyType::option) return std::string(type_name(property.type));
+    std::string options;
+    for (const std::string_view option : property.options) {
+        options += fmt::format("{}`\"{}\"`", options.empty() ? "" : " ", option);
     }
-    LRAY_ASSERT(false);
+    return options;
 }
 
 std::string in_words(const Range& range) {
@@ -129,52 +71,6 @@ std::string property_table(std::span<const PropertySchema> properties) {
     return text;
 }
 
-std::string name_of(ParameterType type) {
-    switch (type) {
-        case ParameterType::number:
-            return "number";
-        case ParameterType::elements:
-            return "number or vector";
-        case ParameterType::vector:
-            return "vector";
-        case ParameterType::vec3:
-            return "3 numbers";
-        case ParameterType::color:
-            return "colour";
-        case ParameterType::transform:
-            return "transform";
-        case ParameterType::rows:
-            return "3 or 4 rows of 4 numbers";
-        case ParameterType::any_scale:
-            return "number or 3 numbers";
-        case ParameterType::any:
-            return "any value";
-        case ParameterType::integer:
-            return "whole number";
-        case ParameterType::string:
-            return "string";
-        case ParameterType::list:
-            return "list";
-        case ParameterType::numbers:
-            return "list of numbers";
-        case ParameterType::function:
-            return "function";
-        case ParameterType::node:
-            return "node";
-        case ParameterType::position:
-            return "number or 2 or 3 numbers";
-        case ParameterType::key:
-            return "number or string";
-        case ParameterType::boolean:
-            return "`true` or `false`";
-        case ParameterType::blendable:
-            return "number, vector or colour";
-        case ParameterType::points:
-            return "rows of 3 numbers";
-    }
-    LRAY_ASSERT(false);
-}
-
 // "`a`, `b`: vector; `about`: 3 numbers, optional"
 std::string arguments_of(const Builtin& builtin) {
     std::string text;
@@ -188,12 +84,13 @@ std::string arguments_of(const Builtin& builtin) {
             text += ", ";
             continue;
         }
-        text += fmt::format(": {}{}", name_of(parameter.type),
+        text += fmt::format(": {}{}", type_name(parameter.type),
                             parameter.is_optional ? ", optional" : "");
         if (i + 1 < builtin.parameter_count()) text += "; ";
     }
     if (!builtin.is_variadic) return text;
-    return fmt::format("{}{}more: {}", text, text.empty() ? "" : "; ", name_of(builtin.rest_type));
+    return fmt::format("{}{}more: {}", text, text.empty() ? "" : "; ",
+                       type_name(builtin.rest_type));
 }
 
 std::string function_tables() {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/suggest_name.h"
@@ -66,7 +67,7 @@ class BlockCheck {
     std::array<Span, kMaxProperties> set_{};
     bool has_conditions_ = false;  // what is set in the end is seen when it runs
     std::array<Span, kCommonPropertyCount> set_common_{};
-    std::vector<std::pair<Symbol, Span>> set_strings_;
+    std::unordered_map<Symbol, Span> set_fields_;
     const Expr* model_ = nullptr;
     bool is_right_ = true;
 };
@@ -118,13 +119,10 @@ void BlockCheck::property(const PropertyItem& item, bool is_certain) {
     const std::string_view name = symbols_.text(item.name);
     if (schema_.takes_any_string || schema_.takes_any_value) {
         if (!is_certain) return;
-        for (const auto& [symbol, span] : set_strings_) {
-            if (symbol != item.name) continue;
-            error(Code::E0402, item.name_span, fmt::format("`{}` is set twice", name))
-                .with_label(span, "first set here");
-            return;
-        }
-        set_strings_.emplace_back(item.name, item.name_span);
+        const auto [first, is_new] = set_fields_.emplace(item.name, item.name_span);
+        if (is_new) return;
+        error(Code::E0402, item.name_span, fmt::format("`{}` is set twice", name))
+            .with_label(first->second, "first set here");
         return;
     }
     const PropertyPlace place = find_place(schema_, name);

@@ -332,12 +332,6 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
                      "`scale` after `translate` also multiplies the way it was moved")
             .with_help("scale first, or write the steps as `transform: [...]`");
     }
-    const std::uint64_t limit = environment_.settings.limits.nodes;
-    if (scene_.nodes.size() >= limit && !budget_.is_spent) {
-        error(Code::E0513, open.span, fmt::format("the scene has more than {} nodes", limit))
-            .with_help("raise the limit with `--max-nodes N`");
-        budget_.spend();
-    }
     scene::Node node;
     node.kind = kind;
     node.visible = open.visible;
@@ -353,9 +347,19 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
         node.label_id = scene::LabelId(scene_.labels.size());
         scene_.labels.emplace_back(label->value);
     }
-    const NodeId id(scene_.nodes.size());
+    return push_node(node);
+}
+
+// Every node that running the scene makes comes through here.
+NodeId Evaluator::push_node(const scene::Node& node) {
+    const std::uint64_t limit = environment_.settings.limits.nodes;
+    if (scene_.nodes.size() >= limit && !budget_.is_spent) {
+        error(Code::E0513, node.span, fmt::format("the scene has more than {} nodes", limit))
+            .with_help("raise the limit with `--max-nodes N`");
+        budget_.spend();
+    }
     scene_.nodes.push_back(node);
-    return id;
+    return NodeId(scene_.nodes.size() - 1);
 }
 
 }  // namespace lray::parser

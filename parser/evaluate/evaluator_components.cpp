@@ -103,26 +103,23 @@ FunctionValue Evaluator::captured(const FunctionUse& use) {
 
 // What was put between the braces of a component, as one node; none if there was nothing.
 NodeId Evaluator::children_of(const OpenBlock& open) {
-    if (open.children.empty()) return NodeId{};
+    return open.children.empty() ? NodeId{} : add_group(open.children, open.span);
+}
+
+NodeId Evaluator::add_group(const std::vector<NodeId>& children, Span span) {
     scene::Node node;
     node.kind = scene::NodeKind::group;
     node.index = static_cast<std::uint32_t>(scene_.groups.size());
-    node.span = open.span;
-    scene_.groups.push_back({open.children});
-    scene_.nodes.push_back(node);
-    return NodeId(scene_.nodes.size() - 1);
+    node.span = span;
+    scene_.groups.push_back({children});
+    return push_node(node);
 }
 
 Value Evaluator::node_value(NodeId id) {
     const bool is_nothing = id.is_none();
     if (is_nothing && nothing_.is(ValueKind::node)) return nothing_;
-    if (is_nothing) {
-        scene::Node node;
-        node.index = static_cast<std::uint32_t>(scene_.groups.size());
-        scene_.groups.emplace_back();
-        scene_.nodes.push_back(node);
-        id = NodeId(scene_.nodes.size() - 1);
-    }
+    if (is_nothing) id = add_group({}, Span{});
+    take_kept_bytes(budget_, sizeof(Made), scene_.node(id).span, diagnostics_);
     Made made;
     made.schema = &block_schema(BlockKind::group);
     made.id = id.value;
@@ -174,6 +171,7 @@ std::optional<NodeId> Evaluator::instantiate(const FunctionValue& component,
             writer.add(function.id);
             for (std::size_t i = 0; i < function.parameters.size(); ++i) writer.add(frame_[i]);
             for (const std::uint32_t slot : function.capture_slots) writer.add(frame_[slot]);
+            take_share(key.size(), span);
         }
         const bool has_key = is_memoised && key.size() <= kLongestKey;
         const auto known = has_key ? components_.find(key) : components_.end();

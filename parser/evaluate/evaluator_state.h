@@ -133,6 +133,8 @@ class Evaluator final : public Runtime {
     std::optional<scene::NodeId> instantiate(const FunctionValue& component,
                                              std::span<const Value> parameters,
                                              scene::NodeId children, Span span);
+    scene::NodeId add_group(const std::vector<scene::NodeId>& children, Span span);
+    scene::NodeId push_node(const scene::Node& node);
     Value node_value(scene::NodeId id);
 
     // Calls

@@ -102,7 +102,7 @@ ExitCode run(std::span<const char* const> arguments) {
 }
 
 constexpr const char* kOutOfMemory = "there is not enough memory";
-constexpr const char* kLessMemory = "a smaller `--size` or a `--crop` needs less";
+constexpr const char* kLessMemory = "a smaller scene or a smaller `--size` needs less";
 
 /// Nothing thrown leaves the program.
 ExitCode run_safely(std::span<const char* const> arguments) {

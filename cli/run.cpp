@@ -132,7 +132,7 @@ std::variant<OutputFile, Failure> open_output(const Options& options,
             file == options.scene_path ? "the scene" : "a file of the scene";
         return Failure{ExitCode::usage,
                        fmt::format("`-o {}` would overwrite {}", options.output_path, what),
-                       "give the picture another name"};
+                       "give the output another name"};
     }
     std::string error;
     auto output = OutputFile::open(options.output_path, error);

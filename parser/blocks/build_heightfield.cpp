@@ -25,7 +25,7 @@ constexpr std::size_t kHeights = slot(kHeightfield, "heights");
 constexpr std::size_t kImage = slot(kHeightfield, "image");
 constexpr std::size_t kScaleY = slot(kHeightfield, "scale_y");
 
-static_assert(kResolution.max * kResolution.max == scene::kMaxHeightVertices);
+static_assert(kGridSize.max * kGridSize.max == scene::kMaxHeightVertices);
 
 bool fits_float(double number) {
     return std::isfinite(static_cast<float>(number));

@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 3> kTerrainMethods = {"diamond_squ
                                                                     "ridged"};
 
 /// Of a side of a height mesh: scene::kMaxHeightVertices is the square of the most.
-inline constexpr Range kResolution{2.0, 32768.0};
+inline constexpr Range kGridSize{2.0, 32768.0};
 inline constexpr std::array<std::string_view, 3> kSpaces = {"uv", "object", "world"};
 inline constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
 inline constexpr std::array<std::string_view, 3> kWraps = {"repeat", "mirror", "clamp"};
@@ -115,7 +115,7 @@ inline constexpr std::array<PropertySchema, 7> kMesh = {{
 
 inline constexpr std::array<PropertySchema, 6> kHeightfield = {{
     {"size", size2, "[1, 1]", "width along X and depth along Z, about the origin", kPositive, {1, 1}},
-    {"resolution", integer, "128", "heights along each side", kResolution, {128}, false, Form::first},
+    {"resolution", integer, "128", "heights along each side", kGridSize, {128}, false, Form::first},
     {"height", function, "", "`fn(x, z)`: the height at a point, x and z from -size/2 to size/2", kAnyNumber, {}, true, Form::first},
     {"heights", height_rows, "", "the heights: a row along X for each Z, the farthest (-Z) first", kAnyNumber, {}, true, Form::second},
     {"image", file, "", "a PNG or PPM file: a height for each pixel, black 0 and white `scale_y`, its top at -Z", kAnyNumber, {}, true, Form::third},
@@ -125,7 +125,7 @@ inline constexpr std::array<PropertySchema, 6> kHeightfield = {{
 inline constexpr std::array<PropertySchema, 6> kTerrain = {{
     {"size", size2, "[100, 100]", "width along X and depth along Z, about the origin", kPositive, {100, 100}},
     {"height", number, "10", "how far its farthest point is above or below 0", kNotNegative, {10}},
-    {"resolution", integer, "257", "heights along each side; `diamond_square` suits 2^k + 1", kResolution, {257}},
+    {"resolution", integer, "257", "heights along each side; `diamond_square` suits 2^k + 1", kGridSize, {257}},
     {"method", option, "\"diamond_square\"", "how it is made", kAnyNumber, {}, false, Form::any, kTerrainMethods},
     {"roughness", number, "0.5", "how much of its height each finer detail keeps, half the size", kUnit, {0.5}},
     {"seed", number, "", "which landscape: another number, another one", kAnyNumber, {}, true},

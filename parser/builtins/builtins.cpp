@@ -90,12 +90,12 @@ std::span<const Builtin> builtins() {
 }
 
 std::optional<std::uint32_t> find_builtin(std::string_view name) {
-    const auto& [functions, by_name] = table();
-    const auto found = std::lower_bound(by_name.begin(), by_name.end(), name,
+    const Table& known = table();
+    const auto found = std::lower_bound(known.by_name.begin(), known.by_name.end(), name,
                                         [&](std::uint32_t index, std::string_view wanted) {
-                                            return functions[index].name < wanted;
+                                            return known.functions[index].name < wanted;
                                         });
-    if (found == by_name.end() || functions[*found].name != name) return std::nullopt;
+    if (found == known.by_name.end() || known.functions[*found].name != name) return std::nullopt;
     return *found;
 }
 

@@ -81,7 +81,7 @@ constexpr std::array kBuiltins = {
     Builtin{"hsv", {{{"hue", number}, {"saturation", number}, {"value", number}}}, color_hsv, "a colour by hue in degrees"},
     Builtin{"hsl", {{{"hue", number}, {"saturation", number}, {"lightness", number}}}, color_hsl, "a colour by hue in degrees"},
     Builtin{"kelvin", {{{"temperature", number}}}, color_kelvin, "the colour of a glowing body of 1000 to 40000 K, its largest component 1"},
-    Builtin{"mix", {{{"a", blendable}, {"b", blendable}, {"t", number}}}, color_mix, "a at t = 0, b at t = 1; of numbers, vectors or colours"},
+    Builtin{"mix", {{{"a", blendable}, {"b", blendable}, {"t", number}}}, color_mix, "a at t = 0, b at t = 1, beyond them outside of 0 to 1; of numbers, vectors or colours"},
 };
 // clang-format on
 

@@ -172,7 +172,7 @@ constexpr std::array kBuiltins = {
     Builtin{"min", {{{"a", elements}, {"b", elements, true}}}, chosen<least_of>, "the lesser; of a list alone, its least element"},
     Builtin{"max", {{{"a", elements}, {"b", elements, true}}}, chosen<greatest_of>, "the greater; of a list alone, its greatest element"},
     Builtin{"clamp", {{{"x", elements}, {"lo", elements}, {"hi", elements}}}, clamp_of, "kept between lo and hi"},
-    Builtin{"lerp", {{{"a", elements}, {"b", elements}, {"t", elements}}}, lerp_of, "a at t = 0, b at t = 1"},
+    Builtin{"lerp", {{{"a", elements}, {"b", elements}, {"t", elements}}}, lerp_of, "a at t = 0, b at t = 1, beyond them outside of 0 to 1"},
     Builtin{"smoothstep", {{{"lo", number}, {"hi", number}, {"x", number}}}, smoothstep_of, "0 to 1, smoothly, as x goes from lo to hi"},
     plain<floor_of>("floor", kX, "the whole number below"),
     plain<ceil_of>("ceil", kX, "the whole number above"),

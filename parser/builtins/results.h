@@ -46,8 +46,9 @@ inline std::span<const double> numbers_of(const Value& value) {
     return {value.numbers, value.is(ValueKind::numbers) ? value.count : 0};
 }
 
+/// Returns a at t = 0 and b at t = 1, exactly; further on, beyond them.
 inline double lerp(double a, double b, double t) {
-    return a + (b - a) * t;
+    return t == 1.0 ? b : a + (b - a) * t;
 }
 
 }  // namespace lray::parser

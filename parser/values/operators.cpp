@@ -242,9 +242,12 @@ Value apply(TokenKind op, const Value& left, const Value& right, Span span, Aren
         std::copy_n(right.text, right.count, joined + left.count);
         return Value::of_string({joined, size}, left.source);
     }
-    diagnostics.error(
+    Diagnostic& diagnostic = diagnostics.error(
         Code::E0301, span,
         fmt::format("cannot {} {} and {}", verb(op), describe(left), describe(right)));
+    if (left.is(ValueKind::color) || right.is(ValueKind::color)) {
+        diagnostic.with_help("colours are mixed: `mix(black, gold, 0.5)` is half as bright as gold");
+    }
     return Value::poison();
 }
 

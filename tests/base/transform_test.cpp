@@ -46,6 +46,30 @@ TEST(Transform, TurnAboutACoordinateAxisLeavesItExactlyAlone) {
     }
 }
 
+TEST(Transform, SimilarityIsTakenOnlyOfAMapThatIsOne) {
+    const Transform turned =
+        Transform::scaling(-3.0).then(Transform::rotation({1.0, 2.0, 3.0}, 40.0));
+    const DVec3 offset{1.0, -2.0, 5.0};
+    const auto same = Transform::similarity(turned.linear(), offset, 3.0);
+    ASSERT_TRUE(same);
+    EXPECT_TRUE(same->is_similarity());
+    EXPECT_EQ(same->similarity_scale(), 3.0);
+    EXPECT_EQ(same->linear(), turned.linear());
+    EXPECT_EQ(same->offset(), offset);
+    EXPECT_TRUE(same->is_mirrored());
+    // Another scale than its own, a shear, and scales that are none.
+    EXPECT_FALSE(Transform::similarity(turned.linear(), offset, 3.001));
+    DMat3 shear{1.0};
+    shear[1][0] = 0.5;
+    EXPECT_FALSE(Transform::similarity(shear, offset, 1.0));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double scale : {0.0, -3.0, nan, infinity}) {
+        EXPECT_FALSE(Transform::similarity(turned.linear(), offset, scale)) << scale;
+    }
+    EXPECT_FALSE(Transform::similarity(DMat3{nan}, offset, 1.0));
+}
+
 TEST(Transform, RotationAboutAnyAxisKeepsAxisAndLengths) {
     constexpr std::uint64_t kSeed = 3;
     std::mt19937_64 random(kSeed);

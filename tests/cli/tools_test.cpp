@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kCamera = "camera { position: [0, 0, 5] }\n";
 constexpr const char* kRight = "camera { position: [0, 0, 5] }\nsphere { }\n";
@@ -30,6 +31,46 @@ class Tools : public testing::Test {
 
     test::TempDirectory directory_;
 };
+
+TEST_F(Tools, DumpGoesToStandardOutputOrAFileAndRendersTheSame) {
+    directory_.write("a.lrs",
+                     "include \"b.lrs\"\n"
+                     "camera { position: [0, 1, 5 + time] }\n"
+                     "animation { frames: 4, fps: 1 }\n"
+                     "for i in range(3) { sphere { center: [i, 0, 0], radius: 0.3 } }\n");
+    directory_.write("b.lrs", "box { translate: [-2, 0, 0] }\n");
+    const auto to_output = run({"--dump", "a.lrs", "--frame", "2"});
+    EXPECT_EQ(to_output.exit_code, 0) << to_output.err;
+    const auto to_file = run({"--dump", "a.lrs", "--frame", "2", "-o", "dumped.lrs"});
+    EXPECT_EQ(to_file.exit_code, 0) << to_file.err;
+    EXPECT_EQ(to_file.out, "");
+    EXPECT_EQ(directory_.read("dumped.lrs"), to_output.out);
+    EXPECT_THAT(to_output.out, Not(HasSubstr("for ")));
+    const auto render = [&](const char* scene, const char* picture) {
+        return run({"-n", "1", "-i", scene, "--frame", "2", "-o", picture, "--size", "32x24"});
+    };
+    EXPECT_EQ(render("a.lrs", "a.ppm").exit_code, 0);
+    EXPECT_EQ(render("dumped.lrs", "d.ppm").exit_code, 0);
+    EXPECT_EQ(directory_.read("a.ppm"), directory_.read("d.ppm"));
+}
+
+TEST_F(Tools, DumpOverwritesNothingThatItRead) {
+    directory_.write("a.lrs", "include \"b.lrs\"\ncamera { }\n");
+    directory_.write("b.lrs", "sphere { }\n");
+    for (const char* const file : {"a.lrs", "b.lrs"}) {
+        const auto result = run({"--dump", "a.lrs", "-o", file});
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_THAT(result.err, HasSubstr(std::string("`-o ") + file + "` would overwrite"));
+        EXPECT_THAT(result.err, HasSubstr("give the output another name"));
+    }
+    EXPECT_EQ(directory_.read("b.lrs"), "sphere { }\n");
+    const auto frames = run({"--dump", "a.lrs", "--frames", "0:3", "-o", "d-##.lrs"});
+    EXPECT_EQ(frames.exit_code, 2);
+    EXPECT_THAT(frames.err, HasSubstr("`--dump` writes one frame"));
+    const auto wrong = run({"--dump", "c.lrs", "-o", "d.lrs"});
+    EXPECT_NE(wrong.exit_code, 0);
+    EXPECT_FALSE(fs::exists(directory_.path("d.lrs")));
+}
 
 TEST_F(Tools, JsonIsALineEachAndNothingElse) {
     directory_.write("a.lrs", "sphere { radios: 1 }\nbox { siz: 1 }\n");

@@ -32,6 +32,8 @@ const std::vector<NumberCase> kNumbers = {
     {"clamp(-5, 0, 1)", 0.0},
     {"clamp(lo: 0, hi: 1, x: 0.5)", 0.5},
     {"lerp(10, 20, 0.25)", 12.5},
+    {"lerp(0.4, 0.1, 1)", 0.1},
+    {"lerp(10, 20, 2)", 30},
     {"smoothstep(0, 2, 1)", 0.5},
     {"smoothstep(0, 2, 3)", 1.0},
     {"smoothstep(0, 1, 0.25)", 0.15625},

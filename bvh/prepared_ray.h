@@ -21,8 +21,29 @@ struct PreparedRay {
     int kz = 2;
     float shear_x = 0.0f;
     float shear_y = 0.0f;
-    double t_per_z = 0.0;  // 1 / dir[kz]
+
+    // For slabs: 1 / dir, at most kMaxInverse; and the origin as the planes of a box see it that
+    // the ray passes first (near) and last (far), moved apart by its error.
+    Vec3 inv_dir{};
+    Vec3 origin_near{};
+    Vec3 origin_far{};
 };
+
+/// The inverse of 0: it gives no NaN, and by it a box on whose face a ray runs is not left.
+inline constexpr float kMaxInverse = 3e37f;
+
+/// How far the two origins lie from the true one, in parts of it and at least: times kMaxInverse,
+/// that is farther than the world reaches.
+inline constexpr float kOriginSlack = 0x1p-22f;
+inline constexpr float kLeastOriginSlack = 0x1p-60f;
+
+/// True if the ray can hit anything: all its numbers are finite.
+inline bool is_traceable(const Ray& ray) {
+    const auto is_finite = [](Vec3 v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    return is_finite(ray.origin) && is_finite(ray.dir);
+}
 
 inline PreparedRay prepare(const Ray& ray) {
     PreparedRay result;
@@ -38,7 +59,16 @@ inline PreparedRay prepare(const Ray& ray) {
     const float dir_z = ray.dir[result.kz];
     result.shear_x = ray.dir[result.kx] / dir_z;
     result.shear_y = ray.dir[result.ky] / dir_z;
-    result.t_per_z = 1.0 / static_cast<double>(dir_z);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float inverse = 1.0f / ray.dir[axis];
+        result.inv_dir[axis] = inverse > kMaxInverse    ? kMaxInverse
+                               : inverse < -kMaxInverse ? -kMaxInverse
+                                                        : inverse;
+        const float slack = std::fabs(ray.origin[axis]) * kOriginSlack + kLeastOriginSlack;
+        const float ahead = inverse < 0.0f ? -slack : slack;
+        result.origin_near[axis] = ray.origin[axis] + ahead;
+        result.origin_far[axis] = ray.origin[axis] - ahead;
+    }
     return result;
 }
 

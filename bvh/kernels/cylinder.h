@@ -14,11 +14,11 @@ namespace lray::bvh {
 enum CylinderPart : int { kCylinderSide = 0, kCylinderBottom = 1, kCylinderTop = 2 };
 
 /// A stretch of a ray; empty unless lo <= hi.
-struct Stretch {
+struct ConeStretch {
     double lo = -std::numeric_limits<double>::infinity();
     double hi = std::numeric_limits<double>::infinity();
 
-    static Stretch empty() {
+    static ConeStretch empty() {
         return {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     }
     bool is_empty() const { return !(lo <= hi); }  // also NaN
@@ -27,7 +27,7 @@ struct Stretch {
 
 /// Returns the stretch inside the infinite cone x^2 + z^2 <= (1 - k y)^2, of its two halves the
 /// one below the apex; what is above it is outside 0 <= y <= 1 and may be in the result.
-inline Stretch inside_cone(const ObjectRay& ray, double k) {
+inline ConeStretch inside_cone(const ObjectRay& ray, double k) {
     const DVec3 o = ray.origin;
     const DVec3 d = ray.dir;
     const double m = 1.0 - k * o.y;
@@ -35,24 +35,24 @@ inline Stretch inside_cone(const ObjectRay& ray, double k) {
     const double a = d.x * d.x + d.z * d.z - n * n;
     const double b = o.x * d.x + o.z * d.z + n * m;
     const double c = o.x * o.x + o.z * o.z - m * m;
-    Stretch result;
+    ConeStretch result;
     if (a == 0.0) {  // along the axis of a cylinder, or parallel to the side of a cone
         if (b > 0.0) {
             result.hi = -c / (2.0 * b);
         } else if (b < 0.0) {
             result.lo = -c / (2.0 * b);
         } else if (!(c <= 0.0)) {
-            return Stretch::empty();
+            return ConeStretch::empty();
         }
         return result;
     }
     const double discriminant = b * b - a * c;
     if (a > 0.0) {
-        if (!(discriminant >= 0.0)) return Stretch::empty();
+        if (!(discriminant >= 0.0)) return ConeStretch::empty();
         const Roots roots = quadratic_roots(a, b, c, discriminant);
         return {roots.lo, roots.hi};
     }
-    if (!(a < 0.0)) return Stretch::empty();  // NaN
+    if (!(a < 0.0)) return ConeStretch::empty();  // NaN
     // Steeper than the side: the line runs inside both halves, and outside in between. It always
     // crosses both, so a negative discriminant (through the apex) is rounding.
     const Roots roots = quadratic_roots(a, b, c, std::max(discriminant, 0.0));
@@ -69,11 +69,11 @@ inline Stretch inside_cone(const ObjectRay& ray, double k) {
 inline Crossings crossings(const scene::Cylinder& cylinder, const PreparedRay& ray) {
     ObjectRay local = object_ray(cylinder.frame, ray);
     Crossings result;
-    Stretch slab;
+    ConeStretch slab;
     if (local.dir.y != 0.0) {
         const double bottom = -local.origin.y / local.dir.y;
         const double top = (1.0 - local.origin.y) / local.dir.y;
-        slab = local.dir.y > 0.0 ? Stretch{bottom, top} : Stretch{top, bottom};
+        slab = local.dir.y > 0.0 ? ConeStretch{bottom, top} : ConeStretch{top, bottom};
     } else if (!(local.origin.y >= 0.0 && local.origin.y <= 1.0)) {
         return result;
     }
@@ -82,7 +82,7 @@ inline Crossings crossings(const scene::Cylinder& cylinder, const PreparedRay& r
     const DVec3 from_middle = local.origin - DVec3{0.0, 0.5, 0.0};
     const double shift = -dot(from_middle, local.dir) / dot(local.dir, local.dir);
     local.origin += shift * local.dir;
-    Stretch cone = inside_cone(local, 1.0 - static_cast<double>(cylinder.top_radius));
+    ConeStretch cone = inside_cone(local, 1.0 - static_cast<double>(cylinder.top_radius));
     cone.lo += shift;
     cone.hi += shift;
     if (slab.is_empty() || cone.is_empty()) return result;

@@ -9,6 +9,7 @@
 
 #include "bvh/kernels/kernel_hit.h"
 #include "bvh/prepared_ray.h"
+#include "bvh/slab.h"
 
 namespace lray::bvh {
 
@@ -22,27 +23,27 @@ struct TrianglePlane {
         : edge_b(DVec3{b} - DVec3{a}), edge_c(DVec3{c} - DVec3{a}), normal(cross(edge_b, edge_c)) {}
 };
 
-/// Returns t where the ray meets the plane of the triangle, kept within the depths of its three
-/// vertices: seen edge-on, the plane alone may say anything. NaN when the ray is parallel to the
-/// plane, or the triangle has no area.
+/// Returns t where the ray meets the plane of the triangle, kept within the stretch of the ray in
+/// the triangle's box: seen edge-on, the plane alone may say anything. NaN when the ray is parallel
+/// to the plane, the triangle has no area, or the ray misses the box: then the sheared vertices are
+/// far off, as the ray passes much closer to one end of a long triangle than to the other.
 /// In double, so that the side of the plane a ray begins on is known to the error bound that
 /// surface_at() gives; float would find a ray that leaves the triangle on it again (pbrt 4th ed.,
 /// 6.8.7, rejects such hits by a bound on t, and real ones with them).
 inline double triangle_t(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    Bounds box;
+    box.add(a);
+    box.add(b);
+    box.add(c);
+    const Stretch stretch = stretch_in(box, ray);
+    const double least = static_cast<double>(stretch.entry * kEntryFactor);
+    const double most = static_cast<double>(stretch.exit);
+    if (!(stretch.entry <= stretch.exit)) return kNone;
     const TrianglePlane plane(a, b, c);
     const double slope = dot(plane.normal, ray.dir);
-    if (slope == 0.0) return std::numeric_limits<double>::quiet_NaN();
+    if (slope == 0.0) return kNone;
     const double t = dot(plane.normal, DVec3{a} - ray.origin) / slope;
-    const auto depth = [&ray](Vec3 p) {
-        return (static_cast<double>(p[ray.kz]) - ray.origin[ray.kz]) * ray.t_per_z;
-    };
-    const double depth_a = depth(a);
-    const double depth_b = depth(b);
-    const double depth_c = depth(c);
-    double least = depth_a < depth_b ? depth_a : depth_b;
-    double most = depth_a < depth_b ? depth_b : depth_a;
-    least = depth_c < least ? depth_c : least;
-    most = depth_c > most ? depth_c : most;
     return t < least ? least : (t > most ? most : t);
 }
 

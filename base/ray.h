@@ -18,6 +18,7 @@ struct Interval {
     float lo = 0.0f;
     float hi = kInfinity;
 
+    bool is_empty() const { return !(lo < hi); }
     bool contains(float t) const { return t > lo && t < hi; }  // false for NaN
 };
 

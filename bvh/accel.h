@@ -15,7 +15,9 @@ enum class AccelKind : std::uint8_t { none };
 /// What tracing cost, added up per ray by whoever asks for it (--stats).
 struct TraceCounts {
     std::uint64_t rays = 0;
-    std::uint64_t primitive_tests = 0;
+    std::uint64_t node_tests = 0;       // nodes of a tree whose children were looked at
+    std::uint64_t primitive_tests = 0;  // rays against primitives, those that missed included
+    std::uint64_t instance_tests = 0;   // likewise, instances
 };
 
 /// A built hierarchy. It refers to the World, which must outlive it. Const calls are thread-safe.
@@ -23,7 +25,8 @@ class Accel {
  public:
     virtual ~Accel() = default;
 
-    /// Returns the hit with the least (t, primitive id) in the open interval.
+    /// Returns the hit with the least (t, place, primitive id) in the open interval; none for a ray
+    /// that is not traceable.
     virtual Hit nearest_hit(const Ray& ray, Interval interval, TraceCounts& counts) const = 0;
 
     /// True if anything that casts a shadow is hit in the open interval.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "bvh/instance_ray.h"
 #include "bvh/kernels/kernels.h"
 
 namespace lray::bvh {
@@ -23,13 +24,13 @@ using RunsByKind = std::array<std::vector<Run>, scene::kPrimitiveKindCount>;
 /// Returns the primitives whose object `is_wanted`, as few runs as possible: scenes rarely hide
 /// anything, and the loops need no look at the objects.
 template <class Predicate>
-RunsByKind find_runs(const scene::World& world, Predicate is_wanted) {
+RunsByKind find_runs(const scene::Geometry& geometry, Predicate is_wanted) {
     RunsByKind result;
     for (std::size_t kind = 0; kind < scene::kPrimitiveKindCount; ++kind) {
         std::vector<Run>& runs = result[kind];
-        const auto& object_ids = world.object_ids[kind];
+        const auto& object_ids = geometry.object_ids[kind];
         for (std::size_t i = 0; i < object_ids.size(); ++i) {
-            if (!is_wanted(world.object(object_ids[i]))) continue;
+            if (!is_wanted(geometry.object(object_ids[i]))) continue;
             if (runs.empty() || runs.back().last != i) runs.push_back({i, i});
             ++runs.back().last;
         }
@@ -37,79 +38,110 @@ RunsByKind find_runs(const scene::World& world, Predicate is_wanted) {
     return result;
 }
 
-/// Calls `f` with each kind as a compile-time constant.
+/// Calls `f` with each kind that has a surface as a compile-time constant.
 template <class F>
 void for_each_kind(F f) {
     [&]<std::size_t... kinds>(std::index_sequence<kinds...>) {
         (f.template operator()<static_cast<PrimitiveKind>(kinds)>(), ...);
     }
-    (std::make_index_sequence<scene::kPrimitiveKindCount>{});
+    (std::make_index_sequence<static_cast<std::size_t>(PrimitiveKind::instance)>{});
+}
+
+/// A geometry and which of it counts.
+struct Part {
+    const scene::Geometry* geometry = nullptr;
+    RunsByKind visible{};
+    RunsByKind casting{};
+
+    explicit Part(const scene::Geometry& source)
+        : geometry(&source),
+          visible(find_runs(source, [](const scene::Object& o) { return o.visible; })),
+          casting(find_runs(source,
+                            [](const scene::Object& o) { return o.visible && o.casts_shadow; })) {}
+};
+
+const std::vector<Run>& runs_of(const RunsByKind& runs, PrimitiveKind kind) {
+    return runs[static_cast<std::size_t>(kind)];
 }
 
 class BruteForce final : public Accel {
  public:
-    explicit BruteForce(const scene::World& world)
-        : world_(world),
-          visible_(find_runs(world, [](const scene::Object& o) { return o.visible; })),
-          casting_(find_runs(world,
-                             [](const scene::Object& o) { return o.visible && o.casts_shadow; })) {}
+    explicit BruteForce(const scene::World& world) : world_(world) {
+        for (const scene::Geometry& prototype : world.prototypes) prototypes_.emplace_back(prototype);
+    }
 
     Hit nearest_hit(const Ray& ray, Interval interval, TraceCounts& counts) const override {
-        const PreparedRay prepared = prepare(ray);
         Hit best;
         ++counts.rays;
-        for_each_kind([&]<PrimitiveKind kind>() {
-            for (const Run run : visible_[static_cast<std::size_t>(kind)]) {
-                counts.primitive_tests += run.last - run.first;
-                nearest_in_run<kind>(run, prepared, interval, best);
-            }
-        });
+        if (is_traceable(ray)) nearest(world_, 0, prepare(ray), interval, best, counts);
         return best;
     }
 
     bool any_hit(const Ray& ray, Interval interval, TraceCounts& counts) const override {
-        const PreparedRay prepared = prepare(ray);
-        bool is_hit = false;
         ++counts.rays;
-        for_each_kind([&]<PrimitiveKind kind>() {
-            for (const Run run : casting_[static_cast<std::size_t>(kind)]) {
-                if (is_hit) return;
-                const std::size_t tested = tests_until_hit<kind>(run, prepared, interval, is_hit);
-                counts.primitive_tests += tested;
-            }
-        });
-        return is_hit;
+        return is_traceable(ray) && any(world_, prepare(ray), interval, counts);
     }
 
  private:
-    template <PrimitiveKind kind>
-    void nearest_in_run(Run run, const PreparedRay& ray, Interval interval, Hit& best) const {
-        // Up to and including the best t: at equal t the lesser id wins.
-        if (!best.is_none()) interval.hi = next_up(best.t);
-        for (std::size_t i = run.first; i < run.last; ++i) {
-            const KernelHit found = intersect_kind<kind>(world_, i, ray, interval);
-            if (found.is_none()) continue;
-            const Hit hit{found.t, found.u, found.v, PrimitiveId(kind, i)};
-            if (!is_closer(hit, best)) continue;
-            best = hit;
-            interval.hi = next_up(best.t);
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+    void nearest(const Part& part, scene::PlaceOffset place, const PreparedRay& ray,
+                 Interval interval, Hit& best, TraceCounts& counts) const {
+        for_each_kind([&]<PrimitiveKind kind>() {
+            for (const Run run : runs_of(part.visible, kind)) {
+                counts.primitive_tests += run.last - run.first;
+                for (std::size_t i = run.first; i < run.last; ++i) {
+                    const KernelHit found =
+                        intersect_kind<kind>(*part.geometry, i, ray, up_to(best, interval));
+                    if (found.is_none()) continue;
+                    const Hit hit{found.t, found.u, found.v, PrimitiveId(kind, i), place};
+                    if (is_closer(hit, best)) best = hit;
+                }
+            }
+        });
+        for (const Run run : runs_of(part.visible, PrimitiveKind::instance)) {
+            for (std::size_t i = run.first; i < run.last; ++i) {
+                const scene::Instance& instance = part.geometry->instances[i];
+                ++counts.instance_tests;
+                const Interval inside = interval_in(instance, ray, up_to(best, interval));
+                if (inside.is_empty()) continue;
+                nearest(prototypes_[instance.prototype], place + instance.first_place,
+                        ray_in(instance, ray), inside, best, counts);
+            }
         }
     }
 
-    template <PrimitiveKind kind>
-    std::size_t tests_until_hit(Run run, const PreparedRay& ray, Interval interval,
-                                bool& is_hit) const {
-        for (std::size_t i = run.first; i < run.last; ++i) {
-            if (intersect_kind<kind>(world_, i, ray, interval).is_none()) continue;
-            is_hit = true;
-            return i - run.first + 1;
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+    bool any(const Part& part, const PreparedRay& ray, Interval interval,
+             TraceCounts& counts) const {
+        bool is_hit = false;
+        for_each_kind([&]<PrimitiveKind kind>() {
+            for (const Run run : runs_of(part.casting, kind)) {
+                for (std::size_t i = run.first; i < run.last && !is_hit; ++i) {
+                    ++counts.primitive_tests;
+                    is_hit = !intersect_kind<kind>(*part.geometry, i, ray, interval).is_none();
+                }
+            }
+        });
+        for (const Run run : runs_of(part.casting, PrimitiveKind::instance)) {
+            for (std::size_t i = run.first; i < run.last && !is_hit; ++i) {
+                const scene::Instance& instance = part.geometry->instances[i];
+                ++counts.instance_tests;
+                const Interval inside = interval_in(instance, ray, interval);
+                is_hit = !inside.is_empty() && any(prototypes_[instance.prototype],
+                                                   ray_in(instance, ray), inside, counts);
+            }
         }
-        return run.last - run.first;
+        return is_hit;
     }
 
-    const scene::World& world_;
-    RunsByKind visible_;
-    RunsByKind casting_;
+    /// Up to and including the best t: at equal t the lesser place and id win.
+    static Interval up_to(const Hit& best, Interval interval) {
+        const float hi = best.is_none() ? interval.hi : next_up(best.t);
+        return {interval.lo, hi < interval.hi ? hi : interval.hi};
+    }
+
+    Part world_;
+    std::vector<Part> prototypes_;
 };
 
 }  // namespace

@@ -13,14 +13,18 @@ struct Hit {
     float u = 0.0f;
     float v = 0.0f;
     scene::PrimitiveId primitive_id{};
+    scene::PlaceOffset place = 0;  // of the geometry that holds the primitive
 
     bool is_none() const { return primitive_id.is_none(); }
 };
 
-/// The rule for ties: the lesser t wins, at equal t the lesser primitive id. It does not depend on
-/// the order in which primitives are tested, so every hierarchy finds the same hit.
+/// The rule for ties: the lesser t wins, at equal t the lesser place, there the lesser primitive id.
+/// It does not depend on the order in which primitives are tested, so every hierarchy finds the
+/// same hit.
 inline bool is_closer(const Hit& a, const Hit& b) {
-    return a.t < b.t || (a.t == b.t && a.primitive_id < b.primitive_id);
+    if (a.t != b.t) return a.t < b.t;
+    if (a.place != b.place) return a.place < b.place;
+    return a.primitive_id < b.primitive_id;
 }
 
 }  // namespace lray::bvh

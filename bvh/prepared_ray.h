@@ -45,31 +45,38 @@ inline bool is_traceable(const Ray& ray) {
     return is_finite(ray.origin) && is_finite(ray.dir);
 }
 
-inline PreparedRay prepare(const Ray& ray) {
+/// Space: any, if `dir` keeps the length that the way there gives it: t stays the world's.
+inline PreparedRay prepare(DVec3 origin, DVec3 dir) {
     PreparedRay result;
-    result.origin = DVec3{ray.origin};
-    result.dir = DVec3{ray.dir};
-    result.origin_float = ray.origin;
-    const float x = std::fabs(ray.dir.x);
-    const float y = std::fabs(ray.dir.y);
-    const float z = std::fabs(ray.dir.z);
+    result.origin = origin;
+    result.dir = dir;
+    result.origin_float = Vec3{origin};
+    const Vec3 dir_float{dir};
+    const float x = std::fabs(dir_float.x);
+    const float y = std::fabs(dir_float.y);
+    const float z = std::fabs(dir_float.z);
     result.kz = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
     result.kx = (result.kz + 1) % 3;
     result.ky = (result.kx + 1) % 3;
-    const float dir_z = ray.dir[result.kz];
-    result.shear_x = ray.dir[result.kx] / dir_z;
-    result.shear_y = ray.dir[result.ky] / dir_z;
+    const float dir_z = dir_float[result.kz];
+    result.shear_x = dir_float[result.kx] / dir_z;
+    result.shear_y = dir_float[result.ky] / dir_z;
     for (int axis = 0; axis < 3; ++axis) {
-        const float inverse = 1.0f / ray.dir[axis];
+        const float inverse = 1.0f / dir_float[axis];
         result.inv_dir[axis] = inverse > kMaxInverse    ? kMaxInverse
                                : inverse < -kMaxInverse ? -kMaxInverse
                                                         : inverse;
-        const float slack = std::fabs(ray.origin[axis]) * kOriginSlack + kLeastOriginSlack;
+        const float origin_float = result.origin_float[axis];
+        const float slack = std::fabs(origin_float) * kOriginSlack + kLeastOriginSlack;
         const float ahead = inverse < 0.0f ? -slack : slack;
-        result.origin_near[axis] = ray.origin[axis] + ahead;
-        result.origin_far[axis] = ray.origin[axis] - ahead;
+        result.origin_near[axis] = origin_float + ahead;
+        result.origin_far[axis] = origin_float - ahead;
     }
     return result;
+}
+
+inline PreparedRay prepare(const Ray& ray) {
+    return prepare(DVec3{ray.origin}, DVec3{ray.dir});
 }
 
 }  // namespace lray::bvh

@@ -36,29 +36,30 @@ bool is_inside(const Torus& torus, DVec3 point) {
 
 }  // namespace
 
-bool is_inside(const World& world, PrimitiveId id, DVec3 point) {
+bool is_inside(const Geometry& geometry, PrimitiveId id, DVec3 point) {
     switch (id.kind()) {
         case PrimitiveKind::sphere: {
-            const Sphere& sphere = world.spheres[id.index()];
+            const Sphere& sphere = geometry.spheres[id.index()];
             const DVec3 offset = point - DVec3{sphere.center};
             return dot(offset, offset) <= square(static_cast<double>(sphere.radius) * kInner);
         }
         case PrimitiveKind::ellipsoid: {
-            const DVec3 q = to_object(world.ellipsoids[id.index()].frame, point);
+            const DVec3 q = to_object(geometry.ellipsoids[id.index()].frame, point);
             return dot(q, q) <= square(kInner);
         }
         case PrimitiveKind::cylinder:
-            return is_inside(world.cylinders[id.index()], point);
+            return is_inside(geometry.cylinders[id.index()], point);
         case PrimitiveKind::box: {
-            const DVec3 q = to_object(world.boxes[id.index()].frame, point);
+            const DVec3 q = to_object(geometry.boxes[id.index()].frame, point);
             return std::fabs(q.x) <= kInner && std::fabs(q.y) <= kInner && std::fabs(q.z) <= kInner;
         }
         case PrimitiveKind::torus:
-            return is_inside(world.tori[id.index()], point);
+            return is_inside(geometry.tori[id.index()], point);
         case PrimitiveKind::triangle:
         case PrimitiveKind::rectangle:
         case PrimitiveKind::disk:
         case PrimitiveKind::plane:
+        case PrimitiveKind::instance:
             return false;
     }
     LRAY_ASSERT(false);

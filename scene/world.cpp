@@ -68,9 +68,9 @@ DVec3 circle_extent(const WorldFromObject& frame) {
             std::sqrt(a.z * a.z + b.z * b.z)};
 }
 
-Bounds bounds_of(const World& world, const Triangle& triangle) {
+Bounds bounds_of(const Geometry& geometry, const Triangle& triangle) {
     Bounds result;
-    for (const std::uint32_t vertex : triangle.vertices) result.add(world.vertices[vertex]);
+    for (const std::uint32_t vertex : triangle.vertices) result.add(geometry.vertices[vertex]);
     return result;
 }
 
@@ -147,47 +147,73 @@ Bounds bounds_of(const Torus& torus) {
 
 }  // namespace
 
-std::size_t World::primitive_count() const {
+std::size_t Geometry::primitive_count() const {
     return triangles.size() + rectangles.size() + spheres.size() + ellipsoids.size() +
-           cylinders.size() + disks.size() + boxes.size() + planes.size() + tori.size();
+           cylinders.size() + disks.size() + boxes.size() + planes.size() + tori.size() +
+           instances.size();
 }
 
-Bounds primitive_bounds(const World& world, PrimitiveId id) {
+Bounds primitive_bounds(const Geometry& geometry, PrimitiveId id) {
     const std::size_t index = id.index();
     switch (id.kind()) {
         case PrimitiveKind::triangle:
-            return bounds_of(world, world.triangles[index]);
+            return bounds_of(geometry, geometry.triangles[index]);
         case PrimitiveKind::rectangle:
-            return bounds_of(world.rectangles[index]);
+            return bounds_of(geometry.rectangles[index]);
         case PrimitiveKind::sphere:
-            return bounds_of(world.spheres[index]);
+            return bounds_of(geometry.spheres[index]);
         case PrimitiveKind::ellipsoid:
-            return bounds_of(world.ellipsoids[index]);
+            return bounds_of(geometry.ellipsoids[index]);
         case PrimitiveKind::cylinder:
-            return bounds_of(world.cylinders[index]);
+            return bounds_of(geometry.cylinders[index]);
         case PrimitiveKind::disk:
-            return bounds_of(world.disks[index]);
+            return bounds_of(geometry.disks[index]);
         case PrimitiveKind::box:
-            return bounds_of(world.boxes[index]);
+            return bounds_of(geometry.boxes[index]);
         case PrimitiveKind::plane:
             break;
         case PrimitiveKind::torus:
-            return bounds_of(world.tori[index]);
+            return bounds_of(geometry.tori[index]);
+        case PrimitiveKind::instance:
+            return geometry.instances[index].bounds;
     }
     LRAY_ASSERT(id.kind() != PrimitiveKind::plane);
     return {};
 }
 
-Bounds finite_bounds(const World& world) {
+Bounds finite_bounds(const Geometry& geometry) {
     Bounds result;
-    for (const Triangle& triangle : world.triangles) result.add(bounds_of(world, triangle));
-    for (const Rectangle& rectangle : world.rectangles) result.add(bounds_of(rectangle));
-    for (const Sphere& sphere : world.spheres) result.add(bounds_of(sphere));
-    for (const Ellipsoid& ellipsoid : world.ellipsoids) result.add(bounds_of(ellipsoid));
-    for (const Cylinder& cylinder : world.cylinders) result.add(bounds_of(cylinder));
-    for (const Disk& disk : world.disks) result.add(bounds_of(disk));
-    for (const Box& box : world.boxes) result.add(bounds_of(box));
-    for (const Torus& torus : world.tori) result.add(bounds_of(torus));
+    for (const Triangle& triangle : geometry.triangles) result.add(bounds_of(geometry, triangle));
+    for (const Rectangle& rectangle : geometry.rectangles) result.add(bounds_of(rectangle));
+    for (const Sphere& sphere : geometry.spheres) result.add(bounds_of(sphere));
+    for (const Ellipsoid& ellipsoid : geometry.ellipsoids) result.add(bounds_of(ellipsoid));
+    for (const Cylinder& cylinder : geometry.cylinders) result.add(bounds_of(cylinder));
+    for (const Disk& disk : geometry.disks) result.add(bounds_of(disk));
+    for (const Box& box : geometry.boxes) result.add(bounds_of(box));
+    for (const Torus& torus : geometry.tori) result.add(bounds_of(torus));
+    for (const Instance& instance : geometry.instances) result.add(instance.bounds);
+    return result;
+}
+
+Bounds placed_bounds(const Bounds& bounds_object, const AffineFrame& frame) {
+    const DVec3 middle = 0.5 * (DVec3{bounds_object.min} + DVec3{bounds_object.max});
+    const DVec3 half = DVec3{bounds_object.max} - middle;
+    const WorldFromObject map = invert(frame);
+    DVec3 extent{};
+    for (int axis = 0; axis < 3; ++axis) {
+        extent += absolute(map.linear[axis]) * half[axis];
+    }
+    // As add_around(), for coordinates that are not those of the canonical shapes.
+    const DVec3 farthest = absolute(middle) + half;
+    const double reach = std::fmax(farthest.x, std::fmax(farthest.y, farthest.z));
+    const DVec3 row_sums =
+        absolute(map.linear[0]) + absolute(map.linear[1]) + absolute(map.linear[2]);
+    const DVec3 slack = 2.0 * reach * (map.error + gamma<double>(16)) * row_sums +
+                        gamma<double>(4) * absolute(map.origin);
+    const DVec3 center = map.origin + map.linear * middle;
+    Bounds result;
+    result.add(center - (extent + slack));
+    result.add(center + (extent + slack));
     return result;
 }
 

@@ -28,10 +28,16 @@ enum class PrimitiveKind : std::uint8_t {
     box,
     plane,
     torus,
+    instance,
 };
-inline constexpr std::size_t kPrimitiveKindCount = 9;
+inline constexpr std::size_t kPrimitiveKindCount = 10;
 
-/// A primitive of the world: its kind in the top bits, its index below. Ids are totally ordered;
+/// A place in the world: the world's own space is 0, and every instance places its prototype, and
+/// what that places, anew. Places are numbered as they are come by on a walk that enters each
+/// instance before it goes on; an offset counts from the place of what an instance stands in.
+using PlaceOffset = std::uint64_t;
+
+/// A primitive of a geometry: its kind in the top bits, its index below. Ids are totally ordered;
 /// the least one wins when two primitives are hit at the same t.
 struct PrimitiveId {
     static constexpr unsigned kIndexBits = 28;
@@ -118,18 +124,31 @@ struct Torus {
     double radius() const { return 1.0 - static_cast<double>(tube); }
 };
 
-/// What a primitive belongs to: one shape or mesh in one place of the graph. Painted in one colour
-/// at level 1.
+/// A prototype in a place of its own. It is never hit itself: what is in it is. Its frame is exact:
+/// whatever is traced goes through these floats.
+struct Instance {
+    AffineFrame frame{};
+    Bounds bounds{};              // of the prototype under the frame; nothing is hit outside of it
+    std::uint32_t prototype = 0;  // index into World::prototypes
+    PlaceOffset first_place = 0;  // of the prototype, from the place of what the instance is in
+};
+
+/// What a primitive or instance belongs to: one shape, mesh or instance in one place of the graph.
+/// Painted in one colour at level 1.
 struct Object {
+    /// The material is that of the instance that the object is seen through.
+    static constexpr std::uint32_t kInherited = 0xffffffffu;
+
     NodeId node_id{};
-    std::uint32_t material = 0;  // index into World::materials
+    std::uint32_t material = 0;  // index into World::materials, or kInherited
     bool visible = true;
     bool casts_shadow = true;
 };
 
+/// Primitives of one space: the world, or a prototype's own.
 /// Shape: `triangle_normals` and `triangle_uvs` are empty or as long as `triangles`; object_ids of
 /// a kind is as long as the array of that kind.
-struct World {
+struct Geometry {
     std::vector<Vec3> vertices{};
     std::vector<Triangle> triangles{};
     std::vector<Rectangle> rectangles{};
@@ -140,6 +159,7 @@ struct World {
     std::vector<Box> boxes{};
     std::vector<Plane> planes{};
     std::vector<Torus> tori{};
+    std::vector<Instance> instances{};
 
     std::vector<Vec3> normals{};
     std::vector<Vec2> uvs{};
@@ -148,23 +168,34 @@ struct World {
 
     std::array<std::vector<ObjectId>, kPrimitiveKindCount> object_ids{};
     std::vector<Object> objects{};
-    std::vector<Material> materials{};    // the first is the default
-    std::vector<Texture> textures{};      // by TextureId
-    std::span<const Picture> pictures{};  // by PictureId; they stay with the Scene, which lives on
-    std::vector<WorldLight> lights{};     // in the order of the graph
+
+    PlaceOffset place_count = 1;  // this one and those of all instances, however deep
 
     ObjectId object_of(PrimitiveId id) const {
         return object_ids[static_cast<std::size_t>(id.kind())][id.index()];
     }
     const Object& object(ObjectId id) const { return objects[id.index()]; }
 
+    /// Primitives held, instances included.
     std::size_t primitive_count() const;
 };
 
+/// What is traced: the geometry of the world's space, and what its instances place in it.
+struct World : Geometry {
+    std::vector<Geometry> prototypes{};   // without planes; each uses only those before it
+    std::vector<Material> materials{};    // the first is the default
+    std::vector<Texture> textures{};      // by TextureId
+    std::span<const Picture> pictures{};  // by PictureId; they stay with the Scene, which lives on
+    std::vector<WorldLight> lights{};     // in the order of the graph
+};
+
 /// Conservative bounds of one primitive. Asserts that it is not a plane.
-Bounds primitive_bounds(const World& world, PrimitiveId id);
+Bounds primitive_bounds(const Geometry& geometry, PrimitiveId id);
 
 /// The bounds of all primitives but the planes; empty if there are none.
-Bounds finite_bounds(const World& world);
+Bounds finite_bounds(const Geometry& geometry);
+
+/// Conservative bounds of what a box holds, under a frame's map.
+Bounds placed_bounds(const Bounds& bounds_object, const AffineFrame& frame);
 
 }  // namespace lray::scene

@@ -9,7 +9,7 @@ namespace lray {
 namespace {
 
 // A line table with an entry per block, not per line: 1 GiB of empty lines must not take 4 GiB.
-constexpr std::size_t kBlockSize = 4096;
+constexpr std::size_t kBlockSize = 512;
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 

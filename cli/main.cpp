@@ -81,6 +81,7 @@ ExitCode run(std::span<const char* const> arguments) {
     const auto parsed = parse_options(arguments);
     if (const auto* failure = std::get_if<Failure>(&parsed)) return report_failure(*failure);
     const Options& options = std::get<Options>(parsed);
+    limit_memory(options.max_memory);
     switch (options.mode) {
         case Mode::render:
         case Mode::check:
@@ -102,7 +103,8 @@ ExitCode run(std::span<const char* const> arguments) {
 }
 
 constexpr const char* kOutOfMemory = "there is not enough memory";
-constexpr const char* kLessMemory = "a smaller scene or a smaller `--size` needs less";
+constexpr const char* kLessMemory =
+    "a smaller scene or a smaller `--size` needs less; `--max-memory N` lets it take more";
 
 /// Nothing thrown leaves the program.
 ExitCode run_safely(std::span<const char* const> arguments) {

@@ -135,6 +135,9 @@ constexpr std::array kLimitOptions{
     OptionSpec{"max-output-pixels", "N", "pixels of the picture",
                [](Options& o, Value v) { return store_number(o.max_output_pixels, v, 1); },
                [](const Options& o) { return o.max_output_pixels; }},
+    OptionSpec{"max-memory", "N", "bytes of memory in all; 0: whatever the system gives",
+               [](Options& o, Value v) { return store_number(o.max_memory, v, 0); },
+               [](const Options& o) { return o.max_memory; }},
 };
 
 constexpr std::array kGroups{

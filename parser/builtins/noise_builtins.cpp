@@ -13,8 +13,9 @@ namespace lray::parser {
 
 namespace {
 
-NoiseSeed seed_of(const Value& seed) {
-    return NoiseSeed(with_key(KeyedRandom{}, seed.is(ValueKind::none) ? Value::of(0.0) : seed));
+NoiseSeed seed_of(Call& call, const Value& seed) {
+    return NoiseSeed(
+        with_key(call, KeyedRandom{}, seed.is(ValueKind::none) ? Value::of(0.0) : seed));
 }
 
 /// Calls `function` with the position as a number, DVec2 or DVec3.
@@ -34,12 +35,12 @@ Value finite(Call& call, double result) {
 }
 
 Value noise_of(Call& call) {
-    const NoiseSeed seed = seed_of(call[1]);
+    const NoiseSeed seed = seed_of(call, call[1]);
     return finite(call, at_position(call[0], [&](auto p) { return noise(p, seed); }));
 }
 
 Value worley_of(Call& call) {
-    const NoiseSeed seed = seed_of(call[1]);
+    const NoiseSeed seed = seed_of(call, call[1]);
     return finite(call, at_position(call[0], [&](auto p) { return worley(p, seed); }));
 }
 
@@ -75,14 +76,14 @@ std::optional<Octaves> octaves_of(Call& call) {
 Value fbm_of(Call& call) {
     const std::optional<Octaves> octaves = octaves_of(call);
     if (!octaves) return Value::poison();
-    const NoiseSeed seed = seed_of(call[4]);
+    const NoiseSeed seed = seed_of(call, call[4]);
     return finite(call, at_position(call[0], [&](auto p) { return fbm(p, *octaves, seed); }));
 }
 
 Value ridged_of(Call& call) {
     const std::optional<Octaves> octaves = octaves_of(call);
     if (!octaves) return Value::poison();
-    const NoiseSeed seed = seed_of(call[4]);
+    const NoiseSeed seed = seed_of(call, call[4]);
     return finite(call, at_position(call[0], [&](auto p) { return ridged(p, *octaves, seed); }));
 }
 

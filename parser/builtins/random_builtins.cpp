@@ -17,9 +17,9 @@ namespace lray::parser {
 namespace {
 
 /// The keys from argument `first` on, and the rest.
-KeyedRandom keyed(const Call& call, std::size_t first) {
-    KeyedRandom random = with_key(KeyedRandom{}, call[first]);
-    for (const Value& key : call.rest) random = with_key(random, key);
+KeyedRandom keyed(Call& call, std::size_t first) {
+    KeyedRandom random = with_key(call, KeyedRandom{}, call[first]);
+    for (const Value& key : call.rest) random = with_key(call, random, key);
     return random;
 }
 
@@ -154,8 +154,11 @@ constexpr std::array kRandom = {
 
 }  // namespace
 
-KeyedRandom with_key(KeyedRandom random, const Value& key) {
-    if (key.is(ValueKind::string)) return random.with(key.string());
+KeyedRandom with_key(Call& call, KeyedRandom random, const Value& key) {
+    if (key.is(ValueKind::string)) {
+        const bool is_paid = take_text_steps(call.budget, key.count, call.span, call.diagnostics);
+        return is_paid ? random.with(key.string()) : random;
+    }
     LRAY_ASSERT(key.is(ValueKind::number));
     return random.with(key.number);
 }

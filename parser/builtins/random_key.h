@@ -2,11 +2,12 @@
 #pragma once
 
 #include "base/random.h"
-#include "parser/values/value.h"
+#include "parser/builtins/builtins.h"
 
 namespace lray::parser {
 
-/// Folds a key, a number or a string, into random numbers.
-KeyedRandom with_key(KeyedRandom random, const Value& key);
+/// Folds a key, a number or a string, into random numbers. A long string takes steps: E0512 at the
+/// call when they are spent.
+KeyedRandom with_key(Call& call, KeyedRandom random, const Value& key);
 
 }  // namespace lray::parser

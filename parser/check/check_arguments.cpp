@@ -32,6 +32,7 @@ std::span<const std::uint8_t> check_arguments(const CallExpr& expr, const Signat
                                               const Symbols& symbols, Arena& arena,
                                               Diagnostics& diagnostics) {
     const std::vector<Signature::Parameter>& parameters = signature.parameters;
+    if (parameters.size() > kMaxFunctionParameters) return {};  // reported where it is defined
     std::vector<Span> given(parameters.size());
     std::vector<std::uint8_t> places;
     bool has_named = false;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/did_you_mean.h"
+#include "parser/check/check_arguments.h"
 #include "parser/check/checker_state.h"
 
 namespace lray::parser {
@@ -84,6 +85,11 @@ void FileChecker::parameter_names(const Function& function) {
         variable.slot = static_cast<std::uint32_t>(i);
     }
     if (!function.is_component) {
+        if (function.parameters.size() > kMaxFunctionParameters) {
+            error(Code::E0306, function.parameters[kMaxFunctionParameters].name_span,
+                  fmt::format("a function has at most {} parameters", kMaxFunctionParameters))
+                .with_help("put some of them together in a `record`");
+        }
         bool has_default = false;
         for (const ParameterDecl& parameter : function.parameters) {
             has_default = has_default || parameter.default_value != nullptr;

@@ -31,7 +31,7 @@ std::optional<Value> list(const ListExpr& expr, Arena& arena) {
 
 std::optional<Value> packed_list(const PackedListExpr& expr, Arena& arena) {
     if (!expr.is_nested) return Value::of_numbers({expr.values, expr.count});
-    if (expr.width <= 4) {
+    if (!expr.has_wide_rows()) {
         Value value;
         value.kind = ValueKind::rows;
         value.width = static_cast<std::uint8_t>(expr.width);

@@ -104,7 +104,9 @@ void FunctionUses::resolve(Arena& arena, std::vector<FunctionUse>& uses, Diagnos
     for (const Use& use : uses_) named_by[use.function->id].push_back(use.from);
     std::vector<Context*> changed(functions_.rbegin(), functions_.rend());
     std::vector<bool> is_waiting(functions_.size(), true);
-    while (!changed.empty()) {
+    // One that captures too much is an error: the others need not be known then.
+    bool is_too_much = false;
+    while (!changed.empty() && !is_too_much) {
         Context& context = *changed.back();
         changed.pop_back();
         is_waiting[context.function->id] = false;
@@ -116,6 +118,7 @@ void FunctionUses::resolve(Arena& arena, std::vector<FunctionUse>& uses, Diagnos
                 const Context::Captured captured = context.captured[i];
                 slot_in(*from, captured.owner, captured.slot);
             }
+            is_too_much = is_too_much || from->captures_too_much;
             const bool is_changed =
                 from->captured.size() != captured_before || from->has_effects != had_effects;
             if (is_changed && from->function != nullptr && !is_waiting[from->function->id]) {

@@ -35,7 +35,7 @@ Evaluator::Head Evaluator::head(BlockExpr& expr, bool is_placed) {
     const Value value = eval(*expr.head);
     if (value.is(ValueKind::poison)) return {};
     if (value.is(ValueKind::record) && !is_placed) {
-        return {&block_schema(BlockKind::record), nullptr, nullptr};
+        return {&block_schema(BlockKind::record), nullptr, nullptr, value};
     }
     const bool is_node = value.is(ValueKind::node);
     const bool is_made = is_node || value.is(ValueKind::material) || value.is(ValueKind::texture);
@@ -145,10 +145,9 @@ Value Evaluator::block_value(BlockExpr& expr) {
     const BlockSchema& schema = *made_of.schema;
     OpenBlock open(schema, expr.span);
     if (schema.kind == BlockKind::record) {
-        const bool is_copy = expr.head->kind != ExprKind::name ||
-                             static_cast<const NameExpr&>(*expr.head).meaning != Meaning::block;
-        if (is_copy) {
-            const Value original = eval(*expr.head);
+        const Value& original = made_of.record;
+        if (original.is(ValueKind::record)) {
+            if (!take_share(original.count, expr.span)) return Value::poison();
             open.fields.assign(original.fields, original.fields + original.count);
         }
         return body(expr, open) ? record_value(open) : Value::poison();
@@ -254,6 +253,8 @@ void Evaluator::view_block(const BlockSchema& schema, BlockExpr& expr) {
     if (schema.kind == BlockKind::camera) {
         const std::string_view name =
             expr.label != nullptr ? expr.label->value : std::string_view{};
+        const std::uint64_t size = sizeof(scene::Camera) + name.size();
+        if (!take_kept_bytes(budget_, size, expr.span, diagnostics_)) return;
         if (auto camera = build_camera(open.values, name, expr.head->span, diagnostics_)) {
             scene_.cameras.push_back(std::move(*camera));
         }
@@ -345,6 +346,7 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
     if (open.material_id) node.material_id = *open.material_id;
     if (label != nullptr) {
         node.label_id = scene::LabelId(scene_.labels.size());
+        take_kept_bytes(budget_, label->value.size(), label->span, diagnostics_);
         scene_.labels.emplace_back(label->value);
     }
     return push_node(node);

@@ -29,7 +29,7 @@ class KeyWriter {
     }
 
     void add(const Value& value) {
-        if (key_.size() > kLongestKey) return;
+        if (is_full()) return;
         add(value.kind);
         switch (value.kind) {
             case ValueKind::none:
@@ -57,11 +57,13 @@ class KeyWriter {
                 return add(value.made->id);
             case ValueKind::list:
                 add(value.count);
-                for (std::uint32_t i = 0; i < value.count; ++i) add(value.elements[i]);
+                for (std::uint32_t i = 0; i < value.count && !is_full(); ++i) {
+                    add(value.elements[i]);
+                }
                 return;
             case ValueKind::record:
                 add(value.count);
-                for (std::uint32_t i = 0; i < value.count; ++i) {
+                for (std::uint32_t i = 0; i < value.count && !is_full(); ++i) {
                     add(value.fields[i].name);
                     add(value.fields[i].value);
                 }
@@ -80,6 +82,8 @@ class KeyWriter {
     }
 
  private:
+    bool is_full() const { return key_.size() > kLongestKey; }
+
     void add_bytes(const void* begin, std::uint32_t count, std::size_t size) {
         add(count);
         if (count * size > kLongestKey) {

@@ -17,6 +17,17 @@
 
 namespace lray::parser {
 
+// Only of wide rows is anything made.
+Value Evaluator::packed_list(const PackedListExpr& expr) {
+    if (expr.has_wide_rows()) {
+        const std::uint64_t size = std::uint64_t{expr.count} * sizeof(Value);
+        const bool is_paid =
+            take_share(expr.count, expr.span) && take_bytes(budget_, size, expr.span, diagnostics_);
+        if (!is_paid) return Value::poison();
+    }
+    return *constant_value(expr, arena());
+}
+
 Value Evaluator::eval(const Expr& expr) {
     if (budget_.steps == 0) [[unlikely]] {
         take_steps(budget_, 1, expr.span, diagnostics_);
@@ -32,8 +43,9 @@ Value Evaluator::eval(const Expr& expr) {
             return Value::of(static_cast<const BooleanExpr&>(expr).value);
         case ExprKind::string:
         case ExprKind::color:
-        case ExprKind::packed_list:
             return *constant_value(expr, arena());
+        case ExprKind::packed_list:
+            return packed_list(static_cast<const PackedListExpr&>(expr));
         case ExprKind::name:
             return name(static_cast<const NameExpr&>(expr));
         case ExprKind::unary:

@@ -1,6 +1,7 @@
 // Evaluates the properties of a block and its transform steps.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,18 @@ bool fits_plainly(const PropertySchema& property, const Value& value) {
 
 }  // namespace
 
+RecordField* OpenBlock::find_field(Symbol name) {
+    if (fields.size() <= kManyFields) {
+        const auto found = std::ranges::find(fields, name, &RecordField::name);
+        return found != fields.end() ? &*found : nullptr;
+    }
+    while (field_places.size() < fields.size()) {
+        field_places.emplace(fields[field_places.size()].name, field_places.size());
+    }
+    const auto place = field_places.find(name);
+    return place != field_places.end() ? &fields[place->second] : nullptr;
+}
+
 void Evaluator::property(PropertyItem& item, OpenBlock& open) {
     const Value value = eval(*item.value);
     if (open.schema.takes_any_string || open.schema.takes_any_value) {
@@ -82,13 +95,11 @@ void Evaluator::free_field(const PropertyItem& item, const Value& value, OpenBlo
         return;
     }
     if (open.schema.kind == BlockKind::record) {
-        if (!take_share(open.fields.size(), item.name_span)) return;
-        for (RecordField& field : open.fields) {
-            if (field.name != item.name) continue;
-            field.value = value;
-            return;
+        if (RecordField* const field = open.find_field(item.name)) {
+            field->value = value;
+        } else {
+            open.fields.push_back({item.name, value});
         }
-        open.fields.push_back({item.name, value});
         return;
     }
     if (!value.is(ValueKind::string)) {
@@ -147,6 +158,9 @@ void Evaluator::step(CommonProperty step, const Value& value, const Expr& expr, 
         open.scale_after_translate = Span{};
     } else if (step == CommonProperty::scale && open.has_translated) {
         open.scale_after_translate = expr.span;
+    }
+    if (value.is(ValueKind::list) && !take_steps(budget_, value.count, expr.span, diagnostics_)) {
+        return;
     }
     open.transform = with_step(open.transform, step, value);
     open.has_steps = true;

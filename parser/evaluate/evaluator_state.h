@@ -18,6 +18,9 @@
 
 namespace lray::parser {
 
+/// Fields of a record are searched for one by one up to here.
+inline constexpr std::size_t kManyFields = 16;
+
 /// A block while its items are evaluated.
 struct OpenBlock {
     explicit OpenBlock(const BlockSchema& block_schema, Span block_span)
@@ -30,6 +33,7 @@ struct OpenBlock {
     std::array<Span, 3> common_spans{};              // of `material` and what follows it
     std::vector<scene::NodeId> children{};
     std::vector<RecordField> fields{};
+    std::unordered_map<Symbol, std::size_t> field_places{};  // once there are kManyFields
     Transform transform{};
     bool has_steps = false;
     std::optional<scene::MaterialId> material_id{};
@@ -41,6 +45,9 @@ struct OpenBlock {
     // For W1301: the last `scale` behind a `translate` and before any other one.
     bool has_translated = false;
     Span scale_after_translate{};
+
+    /// Returns the field of a record; null when it is not there yet.
+    RecordField* find_field(Symbol name);
 };
 
 /// How much of a value a message shows.
@@ -105,6 +112,7 @@ class Evaluator final : public Runtime {
         const BlockSchema* schema = nullptr;  // null: not a block; reported or poisoned
         const Made* made = nullptr;           // of a value
         const FunctionUse* component = nullptr;
+        Value record{};  // that is copied
     };
     Head head(BlockExpr& expr, bool is_placed);
     void placed_block(BlockExpr& expr, OpenBlock& open);
@@ -166,6 +174,7 @@ class Evaluator final : public Runtime {
     Value node_member(const MemberExpr& expr, const Made& made);
     Value record_member(const MemberExpr& expr, const Value& record);
     Value list(const ListExpr& expr);
+    Value packed_list(const PackedListExpr& expr);
     Value list_of(std::span<const Value> elements, Span span);
     Value comprehension(const ComprehensionExpr& expr);
     std::optional<bool> condition(const Expr& expr);

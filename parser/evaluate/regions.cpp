@@ -145,9 +145,12 @@ Value ValueMemory::end_with(const Region& region, const Value& result) {
         return moved;
     }
     // What is returned through many calls must not be copied by each of them.
-    if (!is_worth_copying(region, shallow_size(result))) return result;
+    const bool is_known = last_result_ == result.pointer();
+    const std::size_t in_use = is_known ? last_result_size_ : shallow_size(result);
+    if (!is_worth_copying(region, in_use)) return result;
     Value moved = result;
-    end_with_values(region, [&](auto visit) { visit(moved); });
+    last_result_size_ = end_with_values(region, [&](auto visit) { visit(moved); });
+    last_result_ = moved.pointer();
     return moved;
 }
 

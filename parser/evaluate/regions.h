@@ -33,7 +33,7 @@ class ValueCopier {
 
  private:
     /// What is smaller is copied wherever it is used: to find it again would cost more.
-    static constexpr std::size_t kShared = 64;
+    static constexpr std::size_t kShared = 24;
 
     template <class T>
     const T* copied(const T* begin, std::size_t count) {
@@ -105,11 +105,15 @@ class ValueMemory {
 
  private:
     static constexpr std::size_t kLeastGarbage = std::size_t{64} << 10;
+    static constexpr std::size_t kBytesPerStep = 64;  // of copying
 
     Budget& budget_;
     Arena arena_;
     Arena kept_;
     Arena scratch_;
+    // The result that was copied last, with all it refers to.
+    const void* last_result_ = nullptr;
+    std::size_t last_result_size_ = 0;
 };
 
 template <class ForEach>
@@ -121,6 +125,7 @@ std::size_t ValueMemory::end_with_values(const Region& region, ForEach for_each_
     for_each_value([&](Value& value) { value = back.copy(value); });
     scratch_.reset({});
     budget_.value_bytes -= std::min<std::uint64_t>(budget_.value_bytes, back.size());
+    budget_.steps -= std::min<std::uint64_t>(budget_.steps, back.size() / kBytesPerStep);
     return back.size();
 }
 

@@ -146,6 +146,9 @@ struct PackedListExpr : Expr {
     std::uint32_t width = 1;
     std::uint32_t count = 0;         // of rows
     const double* values = nullptr;  // width * count
+
+    /// Rows of so many numbers are not one value: a list of lists is made of them.
+    bool has_wide_rows() const { return is_nested && width > 4; }
 };
 
 struct BlockExpr : Expr {

@@ -26,20 +26,21 @@ struct Surroundings {
     bool has_loop_outside = false;  // which cannot be left from in here
     bool has_function_outside = false;
 
+    /// What is placed is whole: a loop around it is not left half way through.
     Surroundings placed_block() const {
-        Surroundings inner = *this;
-        inner.is_file_level = false;
-        inner.is_if_branch = false;
+        Surroundings inner = statement();
+        inner.has_loop_outside = is_in_loop || has_loop_outside;
+        inner.is_in_loop = false;
         return inner;
     }
     Surroundings branch() const {
-        Surroundings inner = placed_block();
+        Surroundings inner = statement();
         inner.is_if_branch = true;
         inner.runs_any_times = true;
         return inner;
     }
     Surroundings loop() const {
-        Surroundings inner = placed_block();
+        Surroundings inner = statement();
         inner.is_in_loop = true;
         inner.runs_any_times = true;
         return inner;
@@ -68,6 +69,14 @@ struct Surroundings {
         Surroundings inner = value_block();
         inner.is_in_component = true;
         inner.runs_any_times = true;
+        return inner;
+    }
+
+ private:
+    Surroundings statement() const {
+        Surroundings inner = *this;
+        inner.is_file_level = false;
+        inner.is_if_branch = false;
         return inner;
     }
 };

@@ -235,7 +235,7 @@ Item* Parser::jump() {
                                        fmt::format("`{}` outside a loop", text_of(keyword)));
         if (around_.has_loop_outside) {
             diagnostic.with_note(
-                "the loop around this function or value cannot be left from in it");
+                "the loop around this block, function or value cannot be left from in it");
         }
         is_panicking_ = false;
     }

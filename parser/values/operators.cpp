@@ -236,7 +236,9 @@ Value apply(TokenKind op, const Value& left, const Value& right, Span span, Aren
             diagnostics.error(Code::E0516, span, "a string must be smaller than 4 GiB");
             return Value::poison();
         }
-        if (!take_bytes(budget, size, span, diagnostics)) return Value::poison();
+        const bool is_paid = take_bytes(budget, size, span, diagnostics) &&
+                             take_text_steps(budget, size, span, diagnostics);
+        if (!is_paid) return Value::poison();
         char* const joined = static_cast<char*>(arena.allocate(size, 1));
         std::copy_n(left.text, left.count, joined);
         std::copy_n(right.text, right.count, joined + left.count);
@@ -246,7 +248,8 @@ Value apply(TokenKind op, const Value& left, const Value& right, Span span, Aren
         Code::E0301, span,
         fmt::format("cannot {} {} and {}", verb(op), describe(left), describe(right)));
     if (left.is(ValueKind::color) || right.is(ValueKind::color)) {
-        diagnostic.with_help("colours are mixed: `mix(black, gold, 0.5)` is half as bright as gold");
+        diagnostic.with_help(
+            "colours are mixed: `mix(black, gold, 0.5)` is half as bright as gold");
     }
     return Value::poison();
 }
@@ -268,6 +271,19 @@ Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena, Bu
     return Value::of_numbers(negated);
 }
 
+namespace {
+
+/// Returns the field of a record, which most likely is in a given place; null if there is none.
+const RecordField* field_of(const Value& record, Symbol name, std::uint32_t likely) {
+    if (record.fields[likely].name == name) return record.fields + likely;
+    const RecordField* const end = record.fields + record.count;
+    const RecordField* const found = std::find_if(
+        record.fields, end, [&](const RecordField& field) { return field.name == name; });
+    return found != end ? found : nullptr;
+}
+
+}  // namespace
+
 std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& budget,
                              Diagnostics& diagnostics) {
     // Lists of lists may be nested without bound by way of names: no recursion.
@@ -288,8 +304,11 @@ std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& 
             }
         } else if (left.is(ValueKind::record)) {
             for (std::uint32_t i = 0; i < left.count; ++i) {
-                if (left.fields[i].name != right.fields[i].name) return false;
-                pairs.emplace_back(left.fields[i].value, right.fields[i].value);
+                const RecordField* const other = field_of(right, left.fields[i].name, i);
+                if (other == nullptr) return false;
+                const auto past = static_cast<std::uint64_t>(std::abs(other - (right.fields + i)));
+                if (!take_steps(budget, past, span, diagnostics)) return {};
+                pairs.emplace_back(left.fields[i].value, other->value);
             }
         } else if (left.is(ValueKind::function)) {
             const FunctionValue& a_function = *left.function;

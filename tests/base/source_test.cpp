@@ -126,7 +126,7 @@ TEST(Sources, EndOfFileIsBehindTheLastCharacterOrOnANewLine) {
 }
 
 TEST(Sources, LinesAndPositionsAgreeAcrossTheBlocksOfTheTable) {
-    // Line ends around multiples of 4096 bytes, and lines longer than that.
+    // Line ends around the blocks of the table, and lines longer than several.
     std::string text;
     for (std::size_t i = 0; text.size() < 50'000; ++i) {
         text += std::string((i * 37) % 90, 'x') + (i % 3 == 0 ? "\n" : i % 3 == 1 ? "\r\n" : "\r");

@@ -345,6 +345,19 @@ TEST_F(EndToEnd, ControlCharactersNeverReachTheTerminal) {
     EXPECT_FALSE(contains(result.err, "\x1b")) << result.err;
 }
 
+TEST_F(EndToEnd, MemoryBeyondItsLimitIsTold) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "memory is not limited under sanitizers that reserve terabytes";
+#endif
+    directory_.write("scene.lrs", "let a = range(10000000)\n");
+    const auto result = run({"--check", "scene.lrs", "--max-memory", "50000000"});
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_TRUE(contains(result.err, "not enough memory")) << result.err;
+    EXPECT_TRUE(contains(result.err, "`--max-memory N`")) << result.err;
+    const auto enough = run({"--check", "scene.lrs", "--max-memory", "500000000"});
+    EXPECT_EQ(enough.exit_code, 0) << enough.err;
+}
+
 TEST_F(EndToEnd, LimitsExit3) {
     directory_.write("scene.lrs", std::string(kScene) + "sphere { radius: 2 }\n");
     const auto pixels = run({"scene.lrs", "-o", "a.ppm", "--max-output-pixels", "3071"});

@@ -207,6 +207,13 @@ let f = record { call: fn(x) = x + r.a }
 print(f.call(41))
 )"),
               "1 5 3 x\nfalse true true\nrecord { d: \"y\", e: 2 }\n4 [1, 2]\n10 one\n42\n");
+    EXPECT_EQ(told_by("print(record { a: 1, b: 2 } == record { b: 2, a: 1 },"
+                      " record { a: 1, b: 2 } == record { b: 1, a: 2 },"
+                      " record { a: 1, b: 2 } == record { a: 1, c: 2 })"),
+              "true false false\n");
+    EXPECT_EQ(told_by("fn r() {\n  print(\"made\")\n  return record { a: 1 }\n}\n"
+                      "print(r() { b: 2 } { a: 3 })"),
+              "made\nrecord { a: 3, b: 2 }\n");
     EXPECT_EQ(told_by("let r = record { alpha: 1 }\nprint(r.alpa)"),
               "E0409 2:9 this record has no field `alpa`\n");
     EXPECT_EQ(told_by("let r = record { a: 1, a: 2 }\nprint(r)").substr(0, 10), "E0402 1:24");

@@ -246,6 +246,99 @@ TEST(StepLimit, ListsNestedByNameAreComparedToTheirLimit) {
     EXPECT_EQ(load_text(scene + "\nlet a200 = [a199]").codes(), "E0514");
 }
 
+TEST(Parameters, AreSixtyFourAtMost) {
+    for (const int count : {63, 64, 65}) {
+        std::string parameters;
+        std::string sum;
+        for (int i = 0; i < count; ++i) {
+            parameters += fmt::format("{}a{} = 0", i > 0 ? ", " : "", i);
+            sum += fmt::format("{}a{}", i > 0 ? " + " : "", i);
+        }
+        const std::string scene = fmt::format("fn f({}) = {}\nsphere {{ radius: f(a{}: 7) }}",
+                                              parameters, sum, count - 1);
+        const Loaded loaded = load_text(scene);
+        ASSERT_EQ(loaded.scene.has_value(), count <= 64) << loaded.text();
+        if (count > 64) {
+            EXPECT_EQ(loaded.codes(), "E0306");
+        } else {
+            EXPECT_EQ(loaded.scene->spheres[0].radius, 7.0);
+        }
+    }
+}
+
+TEST(Records, OfManyFieldsAreMadeWithinTheSteps) {
+    std::string fields;
+    for (int i = 0; i < 20'000; ++i) fields += fmt::format("f{}: {}, ", i, i);
+    const Loaded loaded =
+        load_text("let r = record { " + fields + "}\nsphere { radius: r.f19999 }");
+    ASSERT_TRUE(loaded.scene.has_value()) << loaded.text();
+    EXPECT_EQ(loaded.scene->spheres[0].radius, 19'999.0);
+    EXPECT_EQ(load_text("let r = record { " + fields + "f7: 1 }").codes(), "E0402");
+}
+
+TEST(StepLimit, LongTextsCostTheirLength) {
+    const std::string text = "let s = \"" + std::string(1'600, 'x') + "\"\n";
+    for (const char* use : {"s + s", "rand(s)", "noise(0.5, seed: s)"}) {
+        const std::string scene =
+            text + "for i in range(1000) { let t = " + use + "\nassert(t == t) }";
+        parser::LoadLimits limits;
+        limits.steps = 50'000;
+        EXPECT_EQ(load_text(scene, limits).codes(), "E0512") << use;
+        limits.steps = 10'000'000;
+        EXPECT_EQ(load_text(scene + "\nsphere { }", limits).codes(), "W1501") << use;
+    }
+}
+
+TEST(StepLimit, ListsOfTransformsAndCopiesOfRecordsCostTheirLength) {
+    std::string record = "let r = record { ";
+    for (int i = 0; i < 1000; ++i) record += fmt::format("f{}: 1, ", i);
+    const std::string transforms =
+        "let ts = [for i in range(1000): if i == 0 then rotation_x(1) else rotation_y(1)]\n";
+    for (const std::string& scene :
+         {record + "}\nfor i in range(1000) { let x = r { }\nassert(x.f0 == 1) }",
+          transforms + "for i in range(100) { group { transform: ts } }"}) {
+        parser::LoadLimits limits;
+        limits.steps = 50'000;
+        EXPECT_EQ(load_text(scene, limits).codes(), "E0512") << scene.substr(0, 20);
+        limits.steps = 1'000'000;
+        EXPECT_EQ(load_text(scene + "\nsphere { }", limits).codes(), "W1501");
+    }
+}
+
+TEST(StepLimit, WhatIsCopiedOutOfCallsCostsItsSize) {
+    const std::string scene =
+        "fn f(n) {\n"
+        "  if n == 0 { return [range(100000), \"a\"] }\n"
+        "  return f(n - 1)\n"
+        "}\n"
+        "let x = f(900)\n"
+        "sphere { radius: x[0][7] }";
+    parser::LoadLimits limits;
+    limits.steps = 1'000'000;  // 900 copies would be 22 million
+    const Loaded loaded = load_text(scene, limits);
+    ASSERT_TRUE(loaded.scene.has_value()) << loaded.text();
+    EXPECT_EQ(loaded.scene->spheres[0].radius, 7.0);
+}
+
+TEST(ValueLimit, LabelsAndCamerasCount) {
+    const std::string label(1000, 'x');
+    for (const std::string& scene : {"for i in range(1000) { sphere \"" + label + "\" { } }",
+                                     "for i in range(1000) { camera \"" + label + "\" { } }"}) {
+        parser::LoadLimits limits;
+        limits.value_bytes = 500'000;
+        EXPECT_NE(load_text(scene, limits).codes().find("E0516"), std::string::npos);
+    }
+}
+
+TEST(ValueLimit, RowsOfManyNumbersAreMadeAnew) {
+    parser::LoadLimits limits;
+    limits.value_bytes = 500'000;
+    const std::string rows = "[" + repeated("[1, 2, 3, 4, 5], ", 1000) + "]";
+    const std::string scene = "group { for i in range(1000) { let _x = " + rows +
+                              "\n if false { scale: 2 } } }\n sphere { }";
+    EXPECT_EQ(load_text(scene, limits).codes(), "E0516");
+}
+
 TEST(ValueLimit, StringsCountTheirBytes) {
     // 10 + 10 and 20 + 10 bytes.
     const std::string scene = "let a = \"0123456789\"\nlet b = a + a\nlet c = b + a\nsphere { }";

@@ -202,7 +202,10 @@ TEST(Syntax, WhatMayRunAnyNumberOfTimesMakesNoNodes) {
 }
 
 TEST(Syntax, LoopsAndFunctionsAreLeftFromWithin) {
-    EXPECT_EQ(parse_text("for a in b { group { if c { break } } }").errors, "");
+    EXPECT_EQ(parse_text("for a in b { if c { break } }").errors, "");
+    EXPECT_EQ(parse_text("group { for a in b { if c { break } } }").errors, "");
+    EXPECT_EQ(parse_text("for a in b { group { if c { break } } }").errors,
+              "E0119 1:29 `break` outside a loop\n");
     EXPECT_EQ(parse_text("fn f() { while a { if b { return 1 } else { return 2 } } }").errors, "");
     EXPECT_EQ(parse_text("fn f() { for a in b { return [for c in a: c] } }").errors, "");
     EXPECT_EQ(parse_text("for a in b { component c() { break } }").errors,

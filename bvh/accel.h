@@ -10,7 +10,7 @@
 
 namespace lray::bvh {
 
-enum class AccelKind : std::uint8_t { none };
+enum class AccelKind : std::uint8_t { none, spheres };
 
 /// What tracing cost, added up per ray by whoever asks for it (--stats).
 struct TraceCounts {

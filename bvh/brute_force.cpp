@@ -44,7 +44,7 @@ void for_each_kind(F f) {
     [&]<std::size_t... kinds>(std::index_sequence<kinds...>) {
         (f.template operator()<static_cast<PrimitiveKind>(kinds)>(), ...);
     }
-    (std::make_index_sequence<static_cast<std::size_t>(PrimitiveKind::instance)>{});
+    (std::make_index_sequence<scene::kSurfaceKindCount>{});
 }
 
 /// A geometry and which of it counts.
@@ -100,7 +100,7 @@ class BruteForce final : public Accel {
         });
         for (const Run run : runs_of(part.visible, PrimitiveKind::instance)) {
             for (std::size_t i = run.first; i < run.last; ++i) {
-                const scene::Instance& instance = part.geometry->instances[i];
+                const scene::WorldInstance& instance = part.geometry->instances[i];
                 ++counts.instance_tests;
                 const Interval inside = interval_in(instance, ray, up_to(best, interval));
                 if (inside.is_empty()) continue;
@@ -124,7 +124,7 @@ class BruteForce final : public Accel {
         });
         for (const Run run : runs_of(part.casting, PrimitiveKind::instance)) {
             for (std::size_t i = run.first; i < run.last && !is_hit; ++i) {
-                const scene::Instance& instance = part.geometry->instances[i];
+                const scene::WorldInstance& instance = part.geometry->instances[i];
                 ++counts.instance_tests;
                 const Interval inside = interval_in(instance, ray, interval);
                 is_hit = !inside.is_empty() && any(prototypes_[instance.prototype],

@@ -8,7 +8,7 @@
 namespace lray::bvh {
 
 /// Returns the ray in the space of the instance's prototype; t stays the world's.
-inline PreparedRay ray_in(const scene::Instance& instance, const PreparedRay& ray) {
+inline PreparedRay ray_in(const scene::WorldInstance& instance, const PreparedRay& ray) {
     const ObjectRay local = object_ray(instance.frame, ray);
     return prepare(local.origin, local.dir);
 }
@@ -16,7 +16,7 @@ inline PreparedRay ray_in(const scene::Instance& instance, const PreparedRay& ra
 /// Returns the part of an interval in which hits of an instance count: where the ray is in its
 /// bounds. Every hierarchy keeps to it, so that none finds what another skips with the bounds.
 /// Empty (hi <= lo) when the ray misses them.
-inline Interval interval_in(const scene::Instance& instance, const PreparedRay& ray,
+inline Interval interval_in(const scene::WorldInstance& instance, const PreparedRay& ray,
                             Interval interval) {
     const Stretch stretch = stretch_in(instance.bounds, ray);
     if (!(stretch.entry <= stretch.exit)) return {0.0f, 0.0f};

@@ -3,7 +3,7 @@
 
 #include "bvh/hit.h"
 #include "bvh/prepared_ray.h"
-#include "scene/geometry.h"
+#include "scene/world.h"
 
 namespace lray::bvh {
 

@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "base/assert.h"
+#include "bvh/instance_ray.h"
 #include "bvh/kernels/kernels.h"
+#include "scene/place.h"
 
 namespace lray::bvh {
 
@@ -22,6 +24,7 @@ struct Site {
     DVec3 gradient{};        // of F, in the world: points outward
     double value = 0.0;      // |F| at the position
     double magnitude = 0.0;  // sum of the absolute terms of F, by which its rounding errors scale
+    DVec3 position_error{};  // of the way to the position through instances
     double curvature = 0.0;  // bound on the normal curvatures, 1 / world unit
 };
 
@@ -217,51 +220,96 @@ Site site_of_torus(const scene::Torus& torus, const PreparedRay& ray, const Hit&
     return site;
 }
 
-Site find_site(const scene::World& world, const PreparedRay& ray, const Hit& hit) {
+Site find_site(const scene::Geometry& geometry, const PreparedRay& ray, const Hit& hit) {
     using enum scene::PrimitiveKind;
     const std::size_t index = hit.primitive_id.index();
     switch (hit.primitive_id.kind()) {
         case triangle: {
-            const auto& [a, b, c] = world.triangles[index].vertices;
-            return site_of_triangle(world.vertices[a], world.vertices[b], world.vertices[c], ray);
+            const auto& [a, b, c] = geometry.triangles[index].vertices;
+            return site_of_triangle(geometry.vertices[a], geometry.vertices[b],
+                                    geometry.vertices[c], ray);
         }
         case rectangle:
-            return site_of_rectangle(world.rectangles[index], ray, hit);
+            return site_of_rectangle(geometry.rectangles[index], ray, hit);
         case sphere:
-            return site_of_sphere(world.spheres[index], ray, hit);
+            return site_of_sphere(geometry.spheres[index], ray, hit);
         case ellipsoid:
-            return site_of_ellipsoid(world.ellipsoids[index], ray, hit);
+            return site_of_ellipsoid(geometry.ellipsoids[index], ray, hit);
         case cylinder:
-            return site_of_cylinder(world.cylinders[index], ray, hit);
+            return site_of_cylinder(geometry.cylinders[index], ray, hit);
         case disk:
-            return site_of_disk(world.disks[index], ray, hit);
+            return site_of_disk(geometry.disks[index], ray, hit);
         case box:
-            return site_of_box(world.boxes[index], ray, hit);
+            return site_of_box(geometry.boxes[index], ray, hit);
         case plane:
-            return site_of_plane(world.planes[index], ray, hit);
+            return site_of_plane(geometry.planes[index], ray, hit);
         case torus:
-            return site_of_torus(world.tori[index], ray, hit);
+            return site_of_torus(geometry.tori[index], ray, hit);
+        case instance:
+            break;
     }
     LRAY_ASSERT(false);
+}
+
+double length(DVec3 v) {
+    return std::sqrt(dot(v, v));
+}
+
+DMat3 absolute(const DMat3& m) {
+    return {absolute(m[0]), absolute(m[1]), absolute(m[2])};
+}
+
+/// Brings a site from the space of a prototype to that of an instance.
+Site placed(const Site& site, const scene::AffineFrame& frame) {
+    const DMat3 object_from_world{frame.object_from_world};
+    const DMat3 world_from_object = glm::inverse(object_from_world);
+    const DVec3 origin{frame.origin};
+    Site result = site;
+    result.position = world_from_object * site.position + origin;
+    result.gradient = world_gradient(frame, site.gradient);
+    // The Hessian of F takes the map on both sides, its bound the square of the map's norm.
+    result.curvature = site.curvature * sum_of_squares(frame.object_from_world) *
+                       length(site.gradient) / length(result.gradient);
+    // The ray's way in and the position's way out: a few roundings of sums of such terms.
+    const DVec3 terms = absolute(world_from_object) *
+                            (absolute(object_from_world) * absolute(result.position - origin) +
+                             absolute(site.position)) +
+                        absolute(origin);
+    result.position_error = absolute(world_from_object) * site.position_error +
+                            gamma<double>(kKernelOperations) * terms;
+    return result;
+}
+
+/// Returns the site of a hit in the space of the world.
+Site find_placed_site(const scene::World& world, const Ray& ray, const Hit& hit) {
+    PreparedRay local = prepare(ray);
+    if (hit.place == 0) return find_site(world, local, hit);
+    const scene::PlacePath path = scene::path_to(world, hit.place);
+    for (const scene::PlaceStep& step : path.steps) local = ray_in(*step.instance, local);
+    Site site = find_site(*path.geometry, local, hit);
+    for (auto step = path.steps.rbegin(); step != path.steps.rend(); ++step) {
+        site = placed(site, step->instance->frame);
+    }
+    return site;
 }
 
 }  // namespace
 
 SurfacePoint surface_at(const scene::World& world, const Ray& ray, const Hit& hit) {
     LRAY_ASSERT(!hit.is_none());
-    const Site site = find_site(world, prepare(ray), hit);
-    const double slope = std::sqrt(dot(site.gradient, site.gradient));
+    const Site site = find_placed_site(world, ray, hit);
+    const double slope = length(site.gradient);
     const DVec3 normal = site.gradient / slope;
 
     // Rounding the position to float: half an ulp per axis, and at least the least float.
     constexpr double kLeast = static_cast<double>(std::numeric_limits<float>::denorm_min());
     const double u = static_cast<double>(kUnitRoundoff<float>);
-    const DVec3 rounding = u * absolute(site.position) + DVec3{kLeast};
+    const DVec3 rounding = u * absolute(site.position) + DVec3{kLeast} + site.position_error;
 
     // What the rounding moves the position along the surface lifts it off a curved one by
     // curvature / 2 times its square (four times the rounding: the offset rounds again), but never
     // by more than itself: at the apex of a cone the curvature is infinite.
-    const double drift = 4.0 * std::sqrt(dot(rounding, rounding));
+    const double drift = 4.0 * length(rounding);
     const double lift = std::min(site.curvature * drift * drift / 2.0, drift);
     const double along_normal =
         (site.value + gamma<double>(kKernelOperations) * site.magnitude) / slope + lift;

@@ -14,12 +14,14 @@ namespace {
 
 constexpr std::array<std::string_view, scene::kPrimitiveKindCount> kKindNames{
     "triangles", "rectangles", "spheres", "ellipsoids", "cylinders",
-    "disks",     "boxes",      "planes",  "tori"};
+    "disks",     "boxes",      "planes",  "tori",       "instances"};
 
 std::string_view accel_name(bvh::AccelKind kind) {
     switch (kind) {
         case bvh::AccelKind::none:
             return "none";
+        case bvh::AccelKind::spheres:
+            return "spheres";
     }
     LRAY_ASSERT(false);
 }
@@ -55,7 +57,7 @@ double Stopwatch::lap() {
 
 std::string format_stats(const scene::World& world, bvh::AccelKind accel,
                          const render::RenderResult& result, const StageTimes& times) {
-    const auto& [rays, primitive_tests] = result.counts;
+    const std::uint64_t rays = result.counts.rays;
     const double speed = times.render > 0.0 ? static_cast<double>(rays) / times.render * 1e-6 : 0.0;
     return fmt::format(
         "primitives   {}{}\n"
@@ -67,7 +69,7 @@ std::string format_stats(const scene::World& world, bvh::AccelKind accel,
         "speed        {:.3f} Mrays/s on {} thread{}\n"
         "memory       {:.1f} MiB at most\n",
         world.primitive_count(), format_kinds(world), accel_name(accel), result.image.width,
-        result.image.height, rays, ratio(primitive_tests, rays), result.samples.clamped,
+        result.image.height, rays, ratio(result.counts.primitive_tests, rays), result.samples.clamped,
         result.samples.nan, times.load, times.flatten, times.build, times.render, times.write,
         speed, result.thread_count, result.thread_count == 1 ? "" : "s", peak_mebibytes());
 }

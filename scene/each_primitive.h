@@ -1,7 +1,7 @@
 // Goes through the primitives of a geometry.
 #pragma once
 
-#include "scene/geometry.h"
+#include "scene/world.h"
 
 namespace lray::scene {
 

@@ -1,7 +1,7 @@
 // What is inside of a primitive that has an inside.
 #pragma once
 
-#include "scene/geometry.h"
+#include "scene/world.h"
 
 namespace lray::scene {
 

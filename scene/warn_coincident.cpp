@@ -24,11 +24,11 @@ constexpr std::size_t kMaxCompared = 4'000;
 constexpr std::size_t kMaxTold = 3;
 
 /// All that the surface of a primitive depends on; the rest is 0.
-using Geometry = std::array<float, 13>;
+using Numbers = std::array<float, 13>;
 
-class GeometryWriter {
+class NumberWriter {
  public:
-    void add(float x) { geometry_[count_++] = x + 0.0f; }  // -0 is 0
+    void add(float x) { numbers_[count_++] = x + 0.0f; }  // -0 is 0
     void add(Vec3 v) {
         for (int axis = 0; axis < 3; ++axis) add(v[axis]);
     }
@@ -43,15 +43,15 @@ class GeometryWriter {
         for (const Vec3 point : points) add(point);
     }
 
-    const Geometry& geometry() const { return geometry_; }
+    const Numbers& numbers() const { return numbers_; }
 
  private:
-    Geometry geometry_{};
+    Numbers numbers_{};
     std::size_t count_ = 0;
 };
 
-Geometry geometry_of(const World& world, PrimitiveId id) {
-    GeometryWriter writer;
+Numbers numbers_of(const World& world, PrimitiveId id) {
+    NumberWriter writer;
     const std::size_t index = id.index();
     switch (id.kind()) {
         case PrimitiveKind::triangle: {
@@ -91,14 +91,18 @@ Geometry geometry_of(const World& world, PrimitiveId id) {
             writer.add(world.tori[index].frame);
             writer.add(world.tori[index].tube);
             break;
+        case PrimitiveKind::instance:
+            writer.add(world.instances[index].frame);
+            writer.add(std::bit_cast<float>(world.instances[index].prototype));
+            break;
     }
-    return writer.geometry();
+    return writer.numbers();
 }
 
 /// Equal geometry has equal keys, and hardly any other has.
-std::uint64_t key_of(const Geometry& geometry) {
+std::uint64_t key_of(const Numbers& numbers) {
     std::uint64_t key = 0;
-    for (const float x : geometry) {
+    for (const float x : numbers) {
         key = (key ^ std::bit_cast<std::uint32_t>(x)) * 0x9e3779b97f4a7c15u;
         key ^= key >> 32;
     }
@@ -115,7 +119,7 @@ void add_pairs(const World& world, PrimitiveKind kind, std::vector<PrimitivePair
     all.reserve(std::min(object_ids.size(), kMaxCompared));
     for (std::size_t i = 0; i < std::min(object_ids.size(), kMaxCompared); ++i) {
         const PrimitiveId id(kind, i);
-        all.push_back({key_of(geometry_of(world, id)), id});
+        all.push_back({key_of(numbers_of(world, id)), id});
     }
     std::sort(all.begin(), all.end(), [](const Keyed& a, const Keyed& b) {
         return std::tie(a.key, a.id) < std::tie(b.key, b.id);
@@ -125,7 +129,7 @@ void add_pairs(const World& world, PrimitiveKind kind, std::vector<PrimitivePair
         if (all[i - 1].key != all[i].key) continue;
         const PrimitiveId first = all[i - 1].id;
         const PrimitiveId second = all[i].id;
-        if (geometry_of(world, first) != geometry_of(world, second)) continue;
+        if (numbers_of(world, first) != numbers_of(world, second)) continue;
         if (shows_a_difference(world, first, second)) pairs.push_back({first, second});
     }
 }

@@ -191,7 +191,7 @@ Bounds finite_bounds(const Geometry& geometry) {
     for (const Disk& disk : geometry.disks) result.add(bounds_of(disk));
     for (const Box& box : geometry.boxes) result.add(bounds_of(box));
     for (const Torus& torus : geometry.tori) result.add(bounds_of(torus));
-    for (const Instance& instance : geometry.instances) result.add(instance.bounds);
+    for (const WorldInstance& instance : geometry.instances) result.add(instance.bounds);
     return result;
 }
 

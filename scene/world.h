@@ -31,6 +31,8 @@ enum class PrimitiveKind : std::uint8_t {
     instance,
 };
 inline constexpr std::size_t kPrimitiveKindCount = 10;
+/// The kinds before `instance`, which have a surface of their own.
+inline constexpr std::size_t kSurfaceKindCount = 9;
 
 /// A place in the world: the world's own space is 0, and every instance places its prototype, and
 /// what that places, anew. Places are numbered as they are come by on a walk that enters each
@@ -126,7 +128,7 @@ struct Torus {
 
 /// A prototype in a place of its own. It is never hit itself: what is in it is. Its frame is exact:
 /// whatever is traced goes through these floats.
-struct Instance {
+struct WorldInstance {
     AffineFrame frame{};
     Bounds bounds{};              // of the prototype under the frame; nothing is hit outside of it
     std::uint32_t prototype = 0;  // index into World::prototypes
@@ -159,7 +161,7 @@ struct Geometry {
     std::vector<Box> boxes{};
     std::vector<Plane> planes{};
     std::vector<Torus> tori{};
-    std::vector<Instance> instances{};
+    std::vector<WorldInstance> instances{};
 
     std::vector<Vec3> normals{};
     std::vector<Vec2> uvs{};

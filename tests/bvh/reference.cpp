@@ -212,6 +212,8 @@ std::vector<Long> reference_crossings(const scene::World& world, PrimitiveId id,
         case PrimitiveKind::torus:
             meet_torus(world.tori[i], ray, found);
             break;
+        case PrimitiveKind::instance:
+            break;
     }
     std::sort(found.begin(), found.end());
     return found;

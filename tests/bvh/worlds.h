@@ -11,16 +11,16 @@
 
 namespace lray::bvh {
 
-scene::PrimitiveId add_triangle(scene::World& world, Vec3 a, Vec3 b, Vec3 c);
-scene::PrimitiveId add_rectangle(scene::World& world, Vec3 corner, Vec3 edge_u, Vec3 edge_v);
-scene::PrimitiveId add_sphere(scene::World& world, Vec3 center, float radius);
-scene::PrimitiveId add_ellipsoid(scene::World& world, const scene::AffineFrame& frame);
-scene::PrimitiveId add_cylinder(scene::World& world, const scene::AffineFrame& frame,
+scene::PrimitiveId add_triangle(scene::Geometry& geometry, Vec3 a, Vec3 b, Vec3 c);
+scene::PrimitiveId add_rectangle(scene::Geometry& geometry, Vec3 corner, Vec3 edge_u, Vec3 edge_v);
+scene::PrimitiveId add_sphere(scene::Geometry& geometry, Vec3 center, float radius);
+scene::PrimitiveId add_ellipsoid(scene::Geometry& geometry, const scene::AffineFrame& frame);
+scene::PrimitiveId add_cylinder(scene::Geometry& geometry, const scene::AffineFrame& frame,
                                 float top_radius, bool caps);
-scene::PrimitiveId add_disk(scene::World& world, const scene::AffineFrame& frame, float hole);
-scene::PrimitiveId add_box(scene::World& world, const scene::AffineFrame& frame);
-scene::PrimitiveId add_plane(scene::World& world, Vec3 point, Vec3 normal);
-scene::PrimitiveId add_torus(scene::World& world, const scene::AffineFrame& frame, float tube);
+scene::PrimitiveId add_disk(scene::Geometry& geometry, const scene::AffineFrame& frame, float hole);
+scene::PrimitiveId add_box(scene::Geometry& geometry, const scene::AffineFrame& frame);
+scene::PrimitiveId add_plane(scene::Geometry& geometry, Vec3 point, Vec3 normal);
+scene::PrimitiveId add_torus(scene::Geometry& geometry, const scene::AffineFrame& frame, float tube);
 
 /// Makes the frame of the map q -> linear q + origin.
 scene::AffineFrame make_frame(const DMat3& linear, Vec3 origin);
@@ -43,11 +43,18 @@ class Random {
     std::mt19937_64 engine_;
 };
 
+/// Adds what is in it to the world's prototypes, numbered anew. Returns its index.
+std::uint32_t add_prototype(scene::World& world, scene::Geometry prototype);
+
+/// Places a prototype in the world, or in a prototype that comes after it.
+scene::PrimitiveId add_instance(const scene::World& world, scene::Geometry& geometry,
+                                std::uint32_t prototype, const scene::AffineFrame& frame);
+
 /// Adds a primitive of a random kind, of about that size and in about that place.
-scene::PrimitiveId add_random(scene::World& world, Random& random, Vec3 center, float size);
+scene::PrimitiveId add_random(scene::Geometry& geometry, Random& random, Vec3 center, float size);
 
 /// The same for a given kind.
-scene::PrimitiveId add_random(scene::World& world, Random& random, scene::PrimitiveKind kind,
+scene::PrimitiveId add_random(scene::Geometry& geometry, Random& random, scene::PrimitiveKind kind,
                               Vec3 center, float size);
 
 inline Hit meet(const scene::World& world, scene::PrimitiveId id, const Ray& ray,

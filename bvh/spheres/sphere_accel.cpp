@@ -1,0 +1,171 @@
+#include "bvh/spheres/sphere_accel.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "bvh/instance_ray.h"
+#include "bvh/intersect.h"
+#include "bvh/spheres/sphere_tree.h"
+#include "scene/each_primitive.h"
+
+namespace lray::bvh {
+
+namespace {
+
+using scene::PrimitiveId;
+using scene::PrimitiveKind;
+
+/// A geometry with its tree. Planes have no bounding sphere: every ray tests them.
+struct Part {
+    const scene::Geometry* geometry = nullptr;
+    SphereTree tree{};
+    std::vector<PrimitiveId> objects{};  // in the order of the tree's leaves
+    std::vector<PrimitiveId> planes{};
+};
+
+Part make_part(const scene::Geometry& geometry) {
+    Part part;
+    part.geometry = &geometry;
+    std::vector<PrimitiveId> ids;
+    std::vector<BoundingSphere> spheres;
+    scene::each_primitive(geometry, [&](PrimitiveId id, const scene::Object& object) {
+        if (!object.visible) return true;
+        if (id.kind() == PrimitiveKind::plane) {
+            part.planes.push_back(id);
+        } else {
+            ids.push_back(id);
+            spheres.push_back(bounding_sphere(geometry, id));
+        }
+        return true;
+    });
+    part.tree = build_sphere_tree(spheres);
+    part.objects.reserve(ids.size());
+    for (const std::uint32_t index : part.tree.order) part.objects.push_back(ids[index]);
+    part.tree.order = {};
+    return part;
+}
+
+/// A node that waits, and where the ray enters it.
+struct Waiting {
+    std::uint32_t node = 0;
+    double entry = 0.0;
+};
+
+class SphereAccel final : public Accel {
+ public:
+    explicit SphereAccel(const scene::World& world) : world_(make_part(world)) {
+        prototypes_.reserve(world.prototypes.size());
+        for (const scene::Geometry& prototype : world.prototypes) {
+            prototypes_.push_back(make_part(prototype));
+        }
+    }
+
+    Hit nearest_hit(const Ray& ray, Interval interval, TraceCounts& counts) const override {
+        Hit best;
+        ++counts.rays;
+        if (is_traceable(ray)) nearest(world_, 0, prepare(ray), interval, best, counts);
+        return best;
+    }
+
+    bool any_hit(const Ray& ray, Interval interval, TraceCounts& counts) const override {
+        ++counts.rays;
+        return is_traceable(ray) && any(world_, prepare(ray), interval, counts);
+    }
+
+ private:
+    /// Calls visit(PrimitiveId) for the objects of every leaf that the ray meets within the
+    /// interval, the nearer child first, until it returns false. `interval` may shrink meanwhile.
+    template <class Visit>
+    static bool walk(const Part& part, const PreparedRay& ray, const Interval& interval,
+                     TraceCounts& counts, Visit visit) {
+        if (part.tree.nodes.empty()) return true;
+        std::array<Waiting, kMaxSphereDepth> stack;
+        std::size_t waiting_count = 0;
+        const auto enter = [&](std::uint32_t node) {
+            return entry_into(part.tree.nodes[node].sphere, ray, interval);
+        };
+        if (const auto entry = enter(0)) stack[waiting_count++] = {0, *entry};
+        while (waiting_count > 0) {
+            const Waiting next = stack[--waiting_count];
+            if (next.entry > static_cast<double>(interval.hi)) continue;
+            const SphereNode& node = part.tree.nodes[next.node];
+            ++counts.node_tests;
+            if (node.is_leaf()) {
+                for (std::uint32_t i = 0; i < node.object_count; ++i) {
+                    if (!visit(part.objects[node.first + i])) return false;
+                }
+                continue;
+            }
+            const std::uint32_t left = next.node + 1;
+            const std::uint32_t right = node.first;
+            const auto left_entry = enter(left);
+            const auto right_entry = enter(right);
+            const bool is_left_nearer = left_entry && (!right_entry || *left_entry <= *right_entry);
+            if (is_left_nearer) {
+                if (right_entry) stack[waiting_count++] = {right, *right_entry};
+                stack[waiting_count++] = {left, *left_entry};
+            } else {
+                if (left_entry) stack[waiting_count++] = {left, *left_entry};
+                if (right_entry) stack[waiting_count++] = {right, *right_entry};
+            }
+        }
+        return true;
+    }
+
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+    void nearest(const Part& part, scene::PlaceOffset place, const PreparedRay& ray,
+                 Interval interval, Hit& best, TraceCounts& counts) const {
+        const auto meet = [&](PrimitiveId id) {
+            if (id.kind() == PrimitiveKind::instance) {
+                const scene::WorldInstance& instance = part.geometry->instances[id.index()];
+                ++counts.instance_tests;
+                const Interval inside = interval_in(instance, ray, interval);
+                if (!inside.is_empty()) {
+                    nearest(prototypes_[instance.prototype], place + instance.first_place,
+                            ray_in(instance, ray), inside, best, counts);
+                }
+            } else {
+                ++counts.primitive_tests;
+                Hit hit = intersect(*part.geometry, id, ray, interval);
+                hit.place = place;
+                if (!hit.is_none() && is_closer(hit, best)) best = hit;
+            }
+            // Up to and including the best t: at equal t the lesser place and id win.
+            if (!best.is_none()) interval.hi = std::min(interval.hi, next_up(best.t));
+            return true;
+        };
+        for (const PrimitiveId plane : part.planes) meet(plane);
+        walk(part, ray, interval, counts, meet);
+    }
+
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+    bool any(const Part& part, const PreparedRay& ray, Interval interval,
+             TraceCounts& counts) const {
+        const auto is_passed = [&](PrimitiveId id) {
+            if (!part.geometry->object(part.geometry->object_of(id)).casts_shadow) return true;
+            if (id.kind() != PrimitiveKind::instance) {
+                ++counts.primitive_tests;
+                return intersect(*part.geometry, id, ray, interval).is_none();
+            }
+            const scene::WorldInstance& instance = part.geometry->instances[id.index()];
+            ++counts.instance_tests;
+            const Interval inside = interval_in(instance, ray, interval);
+            return inside.is_empty() ||
+                   !any(prototypes_[instance.prototype], ray_in(instance, ray), inside, counts);
+        };
+        return !std::ranges::all_of(part.planes, is_passed) ||
+               !walk(part, ray, interval, counts, is_passed);
+    }
+
+    Part world_;
+    std::vector<Part> prototypes_;
+};
+
+}  // namespace
+
+std::unique_ptr<Accel> make_sphere_accel(const scene::World& world) {
+    return std::make_unique<SphereAccel>(world);
+}
+
+}  // namespace lray::bvh

@@ -14,6 +14,7 @@
 #include "cli/format_files.h"
 #include "cli/frames.h"
 #include "cli/interrupt.h"
+#include "cli/memory_limit.h"
 #include "cli/options.h"
 #include "cli/report.h"
 #include "cli/run.h"
@@ -81,7 +82,7 @@ ExitCode run(std::span<const char* const> arguments) {
     const auto parsed = parse_options(arguments);
     if (const auto* failure = std::get_if<Failure>(&parsed)) return report_failure(*failure);
     const Options& options = std::get<Options>(parsed);
-    limit_memory(options.max_memory);
+    limit_memory(memory_limit(options.max_memory));
     switch (options.mode) {
         case Mode::render:
         case Mode::check:

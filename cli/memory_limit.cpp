@@ -6,13 +6,27 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "cli/option_values.h"
 
+// gcc defines a macro, clang answers a question.
+#if defined(__has_feature)
+#define LRAY_HAS_FEATURE(name) __has_feature(name)
+#else
+#define LRAY_HAS_FEATURE(name) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || \
+    LRAY_HAS_FEATURE(address_sanitizer) || LRAY_HAS_FEATURE(thread_sanitizer)
+#define LRAY_RESERVES_TERABYTES 1
+#else
+#define LRAY_RESERVES_TERABYTES 0
+#endif
+
 namespace lray::cli {
+
+const bool kCanLimitMemory = LRAY_RESERVES_TERABYTES == 0;
 
 namespace {
 
@@ -58,20 +72,17 @@ std::uint64_t control_group_memory() {
 
 }  // namespace
 
-std::uint64_t default_memory_limit() {
+std::uint64_t memory_limit(std::optional<std::uint64_t> wanted) {
+    if (wanted) return *wanted;
     const std::uint64_t memory = std::min(machine_memory(), control_group_memory());
     return memory == kMost ? 0 : memory / 4 * 3;
 }
 
 void limit_memory(std::uint64_t bytes) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     rlimit limit{};
-    if (bytes == 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    if (!kCanLimitMemory || bytes == 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
     limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
     setrlimit(RLIMIT_DATA, &limit);  // where that is not possible, there is no limit
-#else
-    static_cast<void>(bytes);
-#endif
 }
 
 }  // namespace lray::cli

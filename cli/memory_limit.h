@@ -3,15 +3,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace lray::cli {
 
-/// Returns 75 % of the machine's memory, or of the control group's if that has less; 0 if neither
-/// is known.
-std::uint64_t default_memory_limit();
+/// Returns what was asked for; otherwise 75 % of the machine's memory, or of the control group's
+/// if that has less; 0 if neither is known.
+std::uint64_t memory_limit(std::optional<std::uint64_t> wanted);
 
-/// Makes allocations beyond `bytes` fail (std::bad_alloc); 0 leaves them as they are. Under
-/// AddressSanitizer and ThreadSanitizer, which reserve terabytes, nothing is done.
+/// False in builds with sanitizers that reserve terabytes.
+extern const bool kCanLimitMemory;
+
+/// Makes allocations beyond `bytes` fail (std::bad_alloc), if that can be done; 0 leaves them as
+/// they are.
 void limit_memory(std::uint64_t bytes);
 
 }  // namespace lray::cli

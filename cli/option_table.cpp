@@ -7,6 +7,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "cli/memory_limit.h"
 #include "cli/option_values.h"
 
 namespace lray::cli {
@@ -136,8 +137,8 @@ constexpr std::array kLimitOptions{
                [](Options& o, Value v) { return store_number(o.max_output_pixels, v, 1); },
                [](const Options& o) { return o.max_output_pixels; }},
     OptionSpec{"max-memory", "N", "bytes of memory in all; 0: whatever the system gives",
-               [](Options& o, Value v) { return store_number(o.max_memory, v, 0); },
-               [](const Options& o) { return o.max_memory; }},
+               [](Options& o, Value v) { return store_number(o.max_memory.emplace(), v, 0); },
+               [](const Options& o) { return memory_limit(o.max_memory); }},
 };
 
 constexpr std::array kGroups{

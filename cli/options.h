@@ -11,7 +11,6 @@
 #include "base/warning_levels.h"
 #include "bvh/accel.h"
 #include "cli/exit_code.h"
-#include "cli/memory_limit.h"
 #include "image/write.h"
 #include "parser/load.h"
 #include "render/render.h"
@@ -70,7 +69,7 @@ struct Options {
     parser::LoadLimits load_limits{};
     scene::FlattenLimits flatten_limits{};
     std::uint64_t max_output_pixels = std::uint64_t{1} << 28;
-    std::uint64_t max_memory = default_memory_limit();  // bytes; 0: whatever the system gives
+    std::optional<std::uint64_t> max_memory{};  // bytes; 0: whatever the system gives
 
     std::vector<std::string> warnings{};  // options that have no effect, in words
 };

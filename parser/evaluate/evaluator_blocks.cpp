@@ -148,7 +148,7 @@ Value Evaluator::block_value(BlockExpr& expr) {
         const Value& original = made_of.record;
         if (original.is(ValueKind::record)) {
             if (!take_share(original.count, expr.span)) return Value::poison();
-            open.fields.assign(original.fields, original.fields + original.count);
+            open.record.copy(original);
         }
         return body(expr, open) ? record_value(open) : Value::poison();
     }
@@ -219,15 +219,17 @@ Value Evaluator::made_value(ValueKind kind, const OpenBlock& open, std::uint32_t
 
 Value Evaluator::record_value(const OpenBlock& open) {
     std::uint8_t depth = 0;
-    for (const RecordField& field : open.fields) depth = std::max(depth, field.value.depth());
+    for (const RecordField& field : open.record.fields())
+        depth = std::max(depth, field.value.depth());
     if (depth >= kMaxValueDepth) {
         return failed(
             Code::E0514, open.span,
             fmt::format("lists and records are nested more than {} deep", kMaxValueDepth));
     }
-    const std::uint64_t size = open.fields.size() * sizeof(RecordField);
+    const std::uint64_t size = open.record.fields().size() * sizeof(RecordField);
     if (!take_bytes(budget_, size, open.span, diagnostics_)) return Value::poison();
-    return Value::of_record(arena().copy(open.fields), static_cast<std::uint8_t>(depth + 1));
+    return Value::of_record(arena().copy(open.record.fields()),
+                            static_cast<std::uint8_t>(depth + 1));
 }
 
 std::optional<scene::MaterialId> Evaluator::add_material(const OpenBlock& open) {

@@ -1,7 +1,6 @@
 // Evaluates the properties of a block and its transform steps.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,18 +44,6 @@ bool fits_plainly(const PropertySchema& property, const Value& value) {
 
 }  // namespace
 
-RecordField* OpenBlock::find_field(Symbol name) {
-    if (fields.size() <= kManyFields) {
-        const auto found = std::ranges::find(fields, name, &RecordField::name);
-        return found != fields.end() ? &*found : nullptr;
-    }
-    while (field_places.size() < fields.size()) {
-        field_places.emplace(fields[field_places.size()].name, field_places.size());
-    }
-    const auto place = field_places.find(name);
-    return place != field_places.end() ? &fields[place->second] : nullptr;
-}
-
 void Evaluator::property(PropertyItem& item, OpenBlock& open) {
     const Value value = eval(*item.value);
     if (open.schema.takes_any_string || open.schema.takes_any_value) {
@@ -95,11 +82,9 @@ void Evaluator::free_field(const PropertyItem& item, const Value& value, OpenBlo
         return;
     }
     if (open.schema.kind == BlockKind::record) {
-        if (RecordField* const field = open.find_field(item.name)) {
-            field->value = value;
-        } else {
-            open.fields.push_back({item.name, value});
-        }
+        const std::size_t cost = open.record.unindexed_count();
+        if (!take_steps(budget_, cost, item.name_span, diagnostics_)) return;
+        open.record.set(item.name, value);
         return;
     }
     if (!value.is(ValueKind::string)) {

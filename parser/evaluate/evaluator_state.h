@@ -13,13 +13,11 @@
 #include "parser/blocks/property_values.h"
 #include "parser/builtins/builtins.h"
 #include "parser/evaluate/evaluator.h"
+#include "parser/evaluate/open_record.h"
 #include "parser/evaluate/regions.h"
 #include "parser/values/operators.h"
 
 namespace lray::parser {
-
-/// Fields of a record are searched for one by one up to here.
-inline constexpr std::size_t kManyFields = 16;
 
 /// A block while its items are evaluated.
 struct OpenBlock {
@@ -32,8 +30,7 @@ struct OpenBlock {
     std::array<Span, kMaxProperties> value_spans{};  // of those that are set between its braces
     std::array<Span, 3> common_spans{};              // of `material` and what follows it
     std::vector<scene::NodeId> children{};
-    std::vector<RecordField> fields{};
-    std::unordered_map<Symbol, std::size_t> field_places{};  // once there are kManyFields
+    OpenRecord record{};
     Transform transform{};
     bool has_steps = false;
     std::optional<scene::MaterialId> material_id{};
@@ -45,9 +42,6 @@ struct OpenBlock {
     // For W1301: the last `scale` behind a `translate` and before any other one.
     bool has_translated = false;
     Span scale_after_translate{};
-
-    /// Returns the field of a record; null when it is not there yet.
-    RecordField* find_field(Symbol name);
 };
 
 /// How much of a value a message shows.

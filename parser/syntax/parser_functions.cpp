@@ -28,12 +28,8 @@ Item* Parser::function() {
         if (skip_to_body()) body("fn", around_.function());
         return nullptr;
     }
-    FunctionItem* result = make_item<FunctionItem>(ItemKind::function, span_of(*name));
-    result->function = context_.arena.make<Function>();
+    FunctionItem* result = function_item(*name, doc);
     Function& made = *result->function;
-    made.name = name->symbol;
-    made.name_span = span_of(*name);
-    made.doc = doc;
     const std::string head = fmt::format("fn {}", text_of(*name));
     bool is_right = parameters(made, head);
     if (is_right) {
@@ -43,6 +39,16 @@ Item* Parser::function() {
     }
     result->span = span_from(keyword.offset);
     return is_right ? result : poisoned(*name);
+}
+
+// A function or component that has no more than its name yet.
+FunctionItem* Parser::function_item(const Token& name, std::string_view doc) {
+    FunctionItem* result = make_item<FunctionItem>(ItemKind::function, span_of(name));
+    result->function = context_.arena.make<Function>();
+    result->function->name = name.symbol;
+    result->function->name_span = span_of(name);
+    result->function->doc = doc;
+    return result;
 }
 
 // What stands behind the parameters of a `fn`: `= value` or a body. Returns false when something
@@ -97,12 +103,8 @@ Item* Parser::component() {
         if (skip_to_body()) body("component", around_.component());
         return nullptr;
     }
-    FunctionItem* result = make_item<FunctionItem>(ItemKind::function, span_of(*name));
-    result->function = context_.arena.make<Function>();
+    FunctionItem* result = function_item(*name, doc);
     Function& made = *result->function;
-    made.name = name->symbol;
-    made.name_span = span_of(*name);
-    made.doc = doc;
     made.is_component = true;
     const bool is_right = parameters(made, fmt::format("component {}", text_of(*name)));
     if (is_right && token_.kind == TokenKind::equal) {

@@ -121,6 +121,7 @@ class Parser {
     Item* include();
     Item* import();
     bool alias(ImportItem& item);
+    FunctionItem* function_item(const Token& name, std::string_view doc);
     Item* poisoned(const Token& name);
 
     // parser_functions.cpp

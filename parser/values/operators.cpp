@@ -114,6 +114,15 @@ Packing packing_of(std::span<const Value> elements) {
     return are_rows ? Packing::rows : Packing::values;
 }
 
+/// Returns the field of a record, which most likely is in a given place; null if there is none.
+const RecordField* field_of(const Value& record, Symbol name, std::uint32_t likely) {
+    if (record.fields[likely].name == name) return record.fields + likely;
+    const RecordField* const end = record.fields + record.count;
+    const RecordField* const found = std::find_if(
+        record.fields, end, [&](const RecordField& field) { return field.name == name; });
+    return found != end ? found : nullptr;
+}
+
 /// Of values of one kind, lists, records and functions excepted.
 bool is_equal_flat(const Value& a, const Value& b) {
     switch (a.kind) {
@@ -270,19 +279,6 @@ Value apply_sign(TokenKind op, const Value& operand, Span span, Arena& arena, Bu
     for (double& number : negated) number = -number;
     return Value::of_numbers(negated);
 }
-
-namespace {
-
-/// Returns the field of a record, which most likely is in a given place; null if there is none.
-const RecordField* field_of(const Value& record, Symbol name, std::uint32_t likely) {
-    if (record.fields[likely].name == name) return record.fields + likely;
-    const RecordField* const end = record.fields + record.count;
-    const RecordField* const found = std::find_if(
-        record.fields, end, [&](const RecordField& field) { return field.name == name; });
-    return found != end ? found : nullptr;
-}
-
-}  // namespace
 
 std::optional<bool> is_equal(const Value& a, const Value& b, Span span, Budget& budget,
                              Diagnostics& diagnostics) {

@@ -296,11 +296,12 @@ TEST(StepLimit, ListsOfTransformsAndCopiesOfRecordsCostTheirLength) {
         "let ts = [for i in range(1000): if i == 0 then rotation_x(1) else rotation_y(1)]\n";
     for (const std::string& scene :
          {record + "}\nfor i in range(1000) { let x = r { }\nassert(x.f0 == 1) }",
+          record + "}\nfor i in range(1000) { let x = r { f5: 2 }\nassert(x.f5 == 2) }",
           transforms + "for i in range(100) { group { transform: ts } }"}) {
         parser::LoadLimits limits;
         limits.steps = 50'000;
         EXPECT_EQ(load_text(scene, limits).codes(), "E0512") << scene.substr(0, 20);
-        limits.steps = 1'000'000;
+        limits.steps = 2'000'000;
         EXPECT_EQ(load_text(scene + "\nsphere { }", limits).codes(), "W1501");
     }
 }

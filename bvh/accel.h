@@ -1,8 +1,10 @@
 // The interface of every hierarchy: World -> nearest hit, any hit.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "base/ray.h"
 #include "bvh/hit.h"
@@ -10,7 +12,16 @@
 
 namespace lray::bvh {
 
-enum class AccelKind : std::uint8_t { none, spheres };
+enum class AccelKind : std::uint8_t { none, spheres, boxes };
+
+/// How long a build may take for what it saves in tracing: `high` also cuts primitives that lie in
+/// each other's way in two. Only boxes have a choice.
+enum class BuildQuality : std::uint8_t { low, medium, high };
+
+struct BuildOptions {
+    AccelKind kind = AccelKind::boxes;
+    BuildQuality quality = BuildQuality::medium;
+};
 
 /// What tracing cost, added up per ray by whoever asks for it (--stats).
 struct TraceCounts {
@@ -18,6 +29,24 @@ struct TraceCounts {
     std::uint64_t node_tests = 0;       // nodes of a tree whose children were looked at
     std::uint64_t primitive_tests = 0;  // rays against primitives, those that missed included
     std::uint64_t instance_tests = 0;   // likewise, instances
+
+    TraceCounts& operator+=(const TraceCounts& other) {
+        rays += other.rays;
+        node_tests += other.node_tests;
+        primitive_tests += other.primitive_tests;
+        instance_tests += other.instance_tests;
+        return *this;
+    }
+};
+
+/// What was built, of the world and of all prototypes together.
+struct AccelStats {
+    std::uint64_t nodes = 0;
+    std::uint64_t leaves = 0;
+    std::uint64_t references = 0;  // primitives in leaves, as often as they are in one
+    std::uint32_t depth = 0;       // nodes on the longest path of any one tree
+    double cost = 0.0;             // of the world's tree, by the measure it was built with
+    std::size_t bytes = 0;         // kept for tracing, beside the World
 };
 
 /// A built hierarchy. It refers to the World, which must outlive it. Const calls are thread-safe.
@@ -31,10 +60,22 @@ class Accel {
 
     /// True if anything that casts a shadow is hit in the open interval.
     virtual bool any_hit(const Ray& ray, Interval interval, TraceCounts& counts) const = 0;
+
+    /// Finds the nearest hit of each ray, the same as one by one: for rays that run close together,
+    /// as those of a tile of pixels do.
+    /// Shape: all of the same length.
+    virtual void nearest_hits(std::span<const Ray> rays, std::span<const Interval> intervals,
+                              std::span<Hit> hits, TraceCounts& counts) const;
+
+    /// Likewise, for shadow rays to one light.
+    virtual void any_hits(std::span<const Ray> rays, std::span<const Interval> intervals,
+                          std::span<bool> are_hit, TraceCounts& counts) const;
+
+    virtual AccelStats stats() const = 0;
 };
 
-/// Builds a hierarchy over all visible primitives: what is hidden is neither seen nor casts a
-/// shadow.
-std::unique_ptr<Accel> build(const scene::World& world, AccelKind kind);
+/// Builds a hierarchy over all visible primitives, on all cores of the task arena it is called in:
+/// what is hidden is neither seen nor casts a shadow.
+std::unique_ptr<Accel> build(const scene::World& world, const BuildOptions& options);
 
 }  // namespace lray::bvh

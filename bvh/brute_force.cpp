@@ -67,7 +67,8 @@ const std::vector<Run>& runs_of(const RunsByKind& runs, PrimitiveKind kind) {
 class BruteForce final : public Accel {
  public:
     explicit BruteForce(const scene::World& world) : world_(world) {
-        for (const scene::Geometry& prototype : world.prototypes) prototypes_.emplace_back(prototype);
+        for (const scene::Geometry& prototype : world.prototypes)
+            prototypes_.emplace_back(prototype);
     }
 
     Hit nearest_hit(const Ray& ray, Interval interval, TraceCounts& counts) const override {
@@ -82,7 +83,23 @@ class BruteForce final : public Accel {
         return is_traceable(ray) && any(world_, prepare(ray), interval, counts);
     }
 
+    AccelStats stats() const override {
+        AccelStats stats;
+        stats.bytes = sizeof *this + prototypes_.capacity() * sizeof(Part);
+        add_runs(world_, stats);
+        for (const Part& part : prototypes_) add_runs(part, stats);
+        return stats;
+    }
+
  private:
+    static void add_runs(const Part& part, AccelStats& stats) {
+        for (std::size_t kind = 0; kind < scene::kPrimitiveKindCount; ++kind) {
+            stats.bytes +=
+                (part.visible[kind].capacity() + part.casting[kind].capacity()) * sizeof(Run);
+            for (const Run run : part.visible[kind]) stats.references += run.last - run.first;
+        }
+    }
+
     // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
     void nearest(const Part& part, scene::PlaceOffset place, const PreparedRay& ray,
                  Interval interval, Hit& best, TraceCounts& counts) const {

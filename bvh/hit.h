@@ -18,8 +18,8 @@ struct Hit {
     bool is_none() const { return primitive_id.is_none(); }
 };
 
-/// The rule for ties: the lesser t wins, at equal t the lesser place, there the lesser primitive id.
-/// It does not depend on the order in which primitives are tested, so every hierarchy finds the
+/// The rule for ties: the lesser t wins, at equal t the lesser place, there the lesser primitive
+/// id. It does not depend on the order in which primitives are tested, so every hierarchy finds the
 /// same hit.
 inline bool is_closer(const Hit& a, const Hit& b) {
     if (a.t != b.t) return a.t < b.t;

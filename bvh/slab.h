@@ -8,12 +8,6 @@
 
 namespace lray::bvh {
 
-/// A box counts as left by so much later than computed. The slabs have three roundings, gamma(3);
-/// the sheared vertices of the triangle kernel are off by as much again; the rest is room to spare.
-/// Source: Ize 2013, "Robust BVH Ray Traversal", sec. 3.
-inline constexpr float kSlabSlack = 0x1p-19f;
-inline constexpr float kExitFactor = 1.0f + kSlabSlack;
-
 /// A hit at t may lie so much before the computed entry of its box.
 inline constexpr float kEntryFactor = 1.0f - kSlabSlack;
 
@@ -46,12 +40,11 @@ inline Stretch stretch_in(const Bounds& box, const PreparedRay& ray) {
     };
     const auto far = [&](int axis) {
         const float plane = ray.inv_dir[axis] < 0.0f ? box.min[axis] : box.max[axis];
-        return (plane - ray.origin_far[axis]) * ray.inv_dir[axis];
+        return (plane - ray.origin_far[axis]) * ray.inv_dir_far[axis];
     };
     const auto greater = [](float a, float b) { return a > b ? a : b; };
     const auto lesser = [](float a, float b) { return a < b ? a : b; };
-    return {greater(greater(near(0), near(1)), near(2)),
-            lesser(lesser(far(0), far(1)), far(2)) * kExitFactor};
+    return {greater(greater(near(0), near(1)), near(2)), lesser(lesser(far(0), far(1)), far(2))};
 }
 
 }  // namespace lray::bvh

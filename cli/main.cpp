@@ -58,7 +58,7 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     if (const auto* failure = std::get_if<Failure>(&opened)) return report_failure(*failure);
 
     watch.lap();
-    const auto accel = bvh::build(*world, options.accel);
+    const auto accel = bvh::build(*world, {.kind = options.accel});
     times.build = watch.lap();
     const render::RenderResult result = render_view(view, *world, *accel, options);
     times.render = watch.lap();

@@ -22,6 +22,8 @@ std::string_view accel_name(bvh::AccelKind kind) {
             return "none";
         case bvh::AccelKind::spheres:
             return "spheres";
+        case bvh::AccelKind::boxes:
+            return "boxes";
     }
     LRAY_ASSERT(false);
 }
@@ -69,9 +71,10 @@ std::string format_stats(const scene::World& world, bvh::AccelKind accel,
         "speed        {:.3f} Mrays/s on {} thread{}\n"
         "memory       {:.1f} MiB at most\n",
         world.primitive_count(), format_kinds(world), accel_name(accel), result.image.width,
-        result.image.height, rays, ratio(result.counts.primitive_tests, rays), result.samples.clamped,
-        result.samples.nan, times.load, times.flatten, times.build, times.render, times.write,
-        speed, result.thread_count, result.thread_count == 1 ? "" : "s", peak_mebibytes());
+        result.image.height, rays, ratio(result.counts.primitive_tests, rays),
+        result.samples.clamped, result.samples.nan, times.load, times.flatten, times.build,
+        times.render, times.write, speed, result.thread_count, result.thread_count == 1 ? "" : "s",
+        peak_mebibytes());
 }
 
 }  // namespace lray::cli

@@ -13,8 +13,8 @@ PlacePath path_to(const World& world, PlaceOffset place) {
     while (place > 0) {
         // Places ascend with the instances: the last one that does not begin behind it holds it.
         const std::vector<WorldInstance>& instances = path.geometry->instances;
-        const auto next = std::ranges::upper_bound(instances, place, {},
-                                                   &WorldInstance::first_place);
+        const auto next =
+            std::ranges::upper_bound(instances, place, {}, &WorldInstance::first_place);
         LRAY_ASSERT(next != instances.begin());
         const WorldInstance& instance = *std::prev(next);
         const PrimitiveId id(PrimitiveKind::instance,

@@ -19,8 +19,8 @@ struct PlacePath {
     std::vector<PlaceStep> steps{};
 };
 
-/// Returns the way to a place, in time proportional to its depth and the logarithm of the instances.
-/// Errors: asserts that the place is in the world.
+/// Returns the way to a place, in time proportional to its depth and the logarithm of the
+/// instances. Errors: asserts that the place is in the world.
 PlacePath path_to(const World& world, PlaceOffset place);
 
 /// Returns the index of the material that a primitive of a place shows: its own, or that of the

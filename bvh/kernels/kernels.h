@@ -21,8 +21,8 @@ KernelHit intersect_kind(const scene::Geometry& geometry, std::size_t index, con
     using enum scene::PrimitiveKind;
     if constexpr (kind == triangle) {
         const auto& [a, b, c] = geometry.triangles[index].vertices;
-        return intersect_triangle(geometry.vertices[a], geometry.vertices[b], geometry.vertices[c], ray,
-                                  interval);
+        return intersect_triangle(geometry.vertices[a], geometry.vertices[b], geometry.vertices[c],
+                                  ray, interval);
     } else if constexpr (kind == rectangle) {
         return intersect_rectangle(geometry.rectangles[index], ray, interval);
     } else if constexpr (kind == sphere) {

@@ -73,7 +73,26 @@ class SphereAccel final : public Accel {
         return is_traceable(ray) && any(world_, prepare(ray), interval, counts);
     }
 
+    AccelStats stats() const override {
+        AccelStats stats;
+        stats.bytes = sizeof *this + prototypes_.capacity() * sizeof(Part);
+        stats.cost = world_.tree.cost;
+        add_part(world_, stats);
+        for (const Part& part : prototypes_) add_part(part, stats);
+        return stats;
+    }
+
  private:
+    static void add_part(const Part& part, AccelStats& stats) {
+        stats.nodes += part.tree.nodes.size();
+        stats.leaves += static_cast<std::uint64_t>(
+            std::ranges::count_if(part.tree.nodes, &SphereNode::is_leaf));
+        stats.references += part.objects.size() + part.planes.size();
+        stats.depth = std::max(stats.depth, part.tree.depth);
+        stats.bytes += part.tree.nodes.capacity() * sizeof(SphereNode) +
+                       (part.objects.capacity() + part.planes.capacity()) * sizeof(PrimitiveId);
+    }
+
     /// Calls visit(PrimitiveId) for the objects of every leaf that the ray meets within the
     /// interval, the nearer child first, until it returns false. `interval` may shrink meanwhile.
     template <class Visit>

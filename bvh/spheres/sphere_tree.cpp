@@ -81,8 +81,7 @@ class Builder {
     }
 
     std::span<std::uint32_t> order(int axis, const Part& part) {
-        return std::span(orders_[static_cast<std::size_t>(axis)])
-            .subspan(part.first, part.count());
+        return std::span(orders_[static_cast<std::size_t>(axis)]).subspan(part.first, part.count());
     }
 
     // NOLINTNEXTLINE(misc-no-recursion): kMaxSphereDepth deep at most
@@ -177,7 +176,8 @@ class Builder {
     /// Brings the objects of the left side to the front of each order, and keeps the orders.
     void divide(const Part& part, const Split& split) {
         const std::span<const std::uint32_t> chosen = order(split.axis, part);
-        for (std::uint32_t i = 0; i < chosen.size(); ++i) is_left_[chosen[i]] = i < split.left_count;
+        for (std::uint32_t i = 0; i < chosen.size(); ++i)
+            is_left_[chosen[i]] = i < split.left_count;
         for (int axis = 0; axis < 3; ++axis) {
             if (axis == split.axis) continue;
             const std::span<std::uint32_t> members = order(axis, part);

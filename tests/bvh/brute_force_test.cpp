@@ -23,7 +23,7 @@ TEST(BruteForce, FindsWhatTheReferenceFinds) {
         for (int i = 0; i < count; ++i) {
             add_random(world, random, random.in_cube(4.0f), random.uniform(0.1f, 2.0f));
         }
-        const auto accel = build(world, AccelKind::none);
+        const auto accel = build(world, {.kind = AccelKind::none});
         for (int i = 0; i < 100; ++i) {
             const Ray ray{random.in_cube(6.0f), random.direction()};
             Interval interval;
@@ -48,7 +48,7 @@ TEST(BruteForce, FindsWhatTheReferenceFinds) {
 TEST(BruteForce, EmptyWorldHasNoHits) {
     const World world;
     TraceCounts counts;
-    const auto accel = build(world, AccelKind::none);
+    const auto accel = build(world, {.kind = AccelKind::none});
     EXPECT_TRUE(accel->nearest_hit({{0, 0, 5}, {0, 0, -1}}, {}, counts).is_none());
     EXPECT_FALSE(accel->any_hit({{0, 0, 5}, {0, 0, -1}}, {}, counts));
     EXPECT_EQ(counts.rays, 2u);
@@ -63,7 +63,7 @@ TEST(BruteForce, AtEqualTTheLesserIdWins) {
     const PrimitiveId second = add_triangle(world, {-9, -9, 1}, {9, -9, 1}, {0, 9, 1});
     add_triangle(world, {-9, -9, 1}, {9, -9, 1}, {0, 9, 1});
     TraceCounts counts;
-    const auto accel = build(world, AccelKind::none);
+    const auto accel = build(world, {.kind = AccelKind::none});
     const Hit hit = accel->nearest_hit({{0, 0, 5}, {0, 0, -1}}, {}, counts);
     EXPECT_EQ(hit.t, 4.0f);
     EXPECT_EQ(hit.primitive_id, second);
@@ -77,11 +77,13 @@ TEST(BruteForce, HiddenObjectsAreNotThere) {
     world.objects[world.object_of(middle).index()].visible = false;
     TraceCounts counts;
     const Ray ray{{0, 0, 5}, {0, 0, -1}};
-    EXPECT_EQ(build(world, AccelKind::none)->nearest_hit(ray, {}, counts).primitive_id, near);
-    EXPECT_EQ(
-        build(world, AccelKind::none)->nearest_hit(ray, {6.0f, kInfinity}, counts).primitive_id,
-        far);
-    EXPECT_FALSE(build(world, AccelKind::none)->any_hit(ray, {6.5f, 13.5f}, counts));
+    EXPECT_EQ(build(world, {.kind = AccelKind::none})->nearest_hit(ray, {}, counts).primitive_id,
+              near);
+    EXPECT_EQ(build(world, {.kind = AccelKind::none})
+                  ->nearest_hit(ray, {6.0f, kInfinity}, counts)
+                  .primitive_id,
+              far);
+    EXPECT_FALSE(build(world, {.kind = AccelKind::none})->any_hit(ray, {6.5f, 13.5f}, counts));
 }
 
 TEST(BruteForce, WhatCastsNoShadowIsSeenButDoesNotBlock) {
@@ -89,7 +91,7 @@ TEST(BruteForce, WhatCastsNoShadowIsSeenButDoesNotBlock) {
     const PrimitiveId id = add_sphere(world, {0, 0, 0}, 1.0f);
     world.objects[world.object_of(id).index()].casts_shadow = false;
     TraceCounts counts;
-    const auto accel = build(world, AccelKind::none);
+    const auto accel = build(world, {.kind = AccelKind::none});
     EXPECT_EQ(accel->nearest_hit({{0, 0, 5}, {0, 0, -1}}, {}, counts).primitive_id, id);
     EXPECT_FALSE(accel->any_hit({{0, 0, 5}, {0, 0, -1}}, {}, counts));
 }
@@ -101,7 +103,7 @@ TEST(BruteForce, CountsRaysAndTests) {
     }
     const PrimitiveId hidden = add_box(world, scaled_frame({1, 1, 1}, {0, 0, 0}));
     world.objects[world.object_of(hidden).index()].visible = false;
-    const auto accel = build(world, AccelKind::none);
+    const auto accel = build(world, {.kind = AccelKind::none});
     TraceCounts nearest;
     accel->nearest_hit({{0, 0, 5}, {0, 0, -1}}, {}, nearest);
     EXPECT_EQ(nearest.rays, 1u);

@@ -1,5 +1,5 @@
-// Every hierarchy finds what testing everything finds, to the bit: t, u, v, primitive and place; and
-// a shadow exactly where there is a hit. On random worlds that are hard on trees.
+// Every hierarchy finds what testing everything finds, to the bit: t, u, v, primitive and place;
+// and a shadow exactly where there is a hit. On random worlds that are hard on trees.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -147,10 +147,9 @@ void fill_with_instances(World& world, Random& random, float scale) {
 }
 
 const std::vector<WorldForm> kForms = {
-    {"Uniform", fill_uniform},       {"Triangles", fill_with_triangles},
-    {"Grid", fill_grid},             {"Coplanar", fill_coplanar},
-    {"Duplicates", fill_duplicates}, {"Nested", fill_nested},
-    {"Slivers", fill_slivers},       {"Instances", fill_with_instances},
+    {"Uniform", fill_uniform},   {"Triangles", fill_with_triangles}, {"Grid", fill_grid},
+    {"Coplanar", fill_coplanar}, {"Duplicates", fill_duplicates},    {"Nested", fill_nested},
+    {"Slivers", fill_slivers},   {"Instances", fill_with_instances},
 };
 
 /// Rays from anywhere, some along the axes and through the corners of what is there.
@@ -206,8 +205,8 @@ TEST_P(SameHits, AsTestingEverything) {
                 object.casts_shadow = random.below(5) != 0;
             }
         }
-        const auto expected = build(world, AccelKind::none);
-        const auto accel = build(world, kind);
+        const auto expected = build(world, {.kind = AccelKind::none});
+        const auto accel = build(world, {.kind = kind});
         for (int k = 0; k < kRays; ++k) {
             const Ray ray = random_ray(world, random, scale);
             Interval interval;
@@ -236,12 +235,12 @@ TEST_P(SameHits, AsTestingEverything) {
 
 std::string name_of(const testing::TestParamInfo<SameHits::ParamType>& info) {
     const auto& [kind, form, scale] = info.param;
-    const char* const name = kind == AccelKind::spheres ? "Spheres" : "None";
+    const char* const name = kind == AccelKind::spheres ? "Spheres" : "Boxes";
     return std::string(name) + form.name + (scale < 1.0f ? "Tiny" : scale > 1.0f ? "Huge" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, SameHits,
-                         testing::Combine(testing::Values(AccelKind::spheres),
+                         testing::Combine(testing::Values(AccelKind::spheres, AccelKind::boxes),
                                           testing::ValuesIn(kForms),
                                           testing::Values(1.0f, 1e-6f, 1e6f)),
                          name_of);

@@ -89,7 +89,8 @@ double cost_of(std::span<const BoundingSphere> objects, int axis, float plane) {
     };
     double cost = 0.0;
     for (int side = 0; side < 2; ++side) {
-        cost += kSphereVolumeCost + area(sides[side]) / area(all) * counts[side] * kSphereObjectCost;
+        cost +=
+            kSphereVolumeCost + area(sides[side]) / area(all) * counts[side] * kSphereObjectCost;
     }
     return cost;
 }
@@ -124,7 +125,8 @@ TEST(SphereTree, SplitsWhereTheCostIsLeastOfAllPlanesThroughCentres) {
                     first_right = std::min(first_right, center);
                 }
             }
-            if (last_left < first_right) chosen = std::min(chosen, cost_of(objects, axis, first_right));
+            if (last_left < first_right)
+                chosen = std::min(chosen, cost_of(objects, axis, first_right));
         }
         EXPECT_NEAR(chosen, best, 1e-9 * best);
     }

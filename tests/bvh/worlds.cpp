@@ -43,8 +43,8 @@ PrimitiveId add_ellipsoid(scene::Geometry& geometry, const scene::AffineFrame& f
     return finish(geometry, PrimitiveKind::ellipsoid, geometry.ellipsoids.size());
 }
 
-PrimitiveId add_cylinder(scene::Geometry& geometry, const scene::AffineFrame& frame, float top_radius,
-                         bool caps) {
+PrimitiveId add_cylinder(scene::Geometry& geometry, const scene::AffineFrame& frame,
+                         float top_radius, bool caps) {
     geometry.cylinders.push_back({frame, top_radius, caps});
     return finish(geometry, PrimitiveKind::cylinder, geometry.cylinders.size());
 }
@@ -141,8 +141,8 @@ PrimitiveId add_random(scene::Geometry& geometry, Random& random, PrimitiveKind 
     };
     switch (kind) {
         case PrimitiveKind::triangle:
-            return add_triangle(geometry, center + random.in_cube(size), center + random.in_cube(size),
-                                center + random.in_cube(size));
+            return add_triangle(geometry, center + random.in_cube(size),
+                                center + random.in_cube(size), center + random.in_cube(size));
         case PrimitiveKind::rectangle: {
             const DMat3 axes = random.rotation();
             return add_rectangle(geometry, center, Vec3{axes[0]} * size,
@@ -154,7 +154,8 @@ PrimitiveId add_random(scene::Geometry& geometry, Random& random, PrimitiveKind 
             return add_ellipsoid(geometry, any_frame());
         case PrimitiveKind::cylinder: {
             constexpr float kTops[] = {0.0f, 0.4f, 0.999f, 1.0f};
-            return add_cylinder(geometry, any_frame(), kTops[random.below(4)], random.below(2) == 0);
+            return add_cylinder(geometry, any_frame(), kTops[random.below(4)],
+                                random.below(2) == 0);
         }
         case PrimitiveKind::disk:
             return add_disk(geometry, any_frame(), random.below(2) == 0 ? 0.0f : 0.5f);

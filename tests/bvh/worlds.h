@@ -20,7 +20,8 @@ scene::PrimitiveId add_cylinder(scene::Geometry& geometry, const scene::AffineFr
 scene::PrimitiveId add_disk(scene::Geometry& geometry, const scene::AffineFrame& frame, float hole);
 scene::PrimitiveId add_box(scene::Geometry& geometry, const scene::AffineFrame& frame);
 scene::PrimitiveId add_plane(scene::Geometry& geometry, Vec3 point, Vec3 normal);
-scene::PrimitiveId add_torus(scene::Geometry& geometry, const scene::AffineFrame& frame, float tube);
+scene::PrimitiveId add_torus(scene::Geometry& geometry, const scene::AffineFrame& frame,
+                             float tube);
 
 /// Makes the frame of the map q -> linear q + origin.
 scene::AffineFrame make_frame(const DMat3& linear, Vec3 origin);

@@ -37,7 +37,8 @@ TEST(FormatStats, SaysWhatWasRenderedAndHowFast) {
     world.object_ids[static_cast<std::size_t>(scene::PrimitiveKind::plane)].resize(1);
     render::RenderResult result;
     result.image = image::Image(4, 3);
-    result.counts = {2'000'000, 5'000'000};
+    result.counts.rays = 2'000'000;
+    result.counts.primitive_tests = 5'000'000;
     result.thread_count = 2;
     const StageTimes times{0.5, 0.25, 0.125, 4.0, 0.0625};
     const std::string text = format_stats(world, bvh::AccelKind::none, result, times);

@@ -32,6 +32,8 @@ class PatternAccel : public bvh::Accel {
     bool any_hit(const Ray& ray, Interval interval, bvh::TraceCounts& counts) const override {
         return !nearest_hit(ray, interval, counts).is_none();
     }
+
+    bvh::AccelStats stats() const override { return {}; }
 };
 
 class RenderTest : public testing::Test {

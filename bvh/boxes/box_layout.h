@@ -1,0 +1,64 @@
+// How a tree of boxes lies in memory. Plain structs without functions that a compiler may emit on
+// their own: code compiled for one processor reads them beside code for another.
+#pragma once
+
+#include <cstdint>
+
+namespace lray::bvh {
+
+/// Children of a node, triangles or spheres of a block.
+inline constexpr std::uint32_t kBoxWidth = 8;
+
+/// What a child is. Nodes: the index of one. Leaves: `count` blocks or listed primitives from
+/// `first` on.
+enum class BoxChildKind : std::uint32_t { node, triangles, spheres, list };
+
+inline constexpr unsigned kBoxKindShift = 30;
+inline constexpr unsigned kBoxCountShift = 27;
+inline constexpr std::uint32_t kMaxBoxNodes = std::uint32_t{1} << kBoxKindShift;
+inline constexpr std::uint32_t kMaxLeafCount = 8;  // stored less one, in three bits
+inline constexpr std::uint32_t kMaxLeafFirst = (std::uint32_t{1} << kBoxCountShift) - 1;
+
+/// A BoxChildKind in the two top bits. A node: its index below. A leaf: the count less one in three
+/// bits, then `first`.
+using BoxChild = std::uint32_t;
+
+/// Shape: planes[axis][side][child], side 0 the lower. A child that is not there has +infinity
+/// for its lower planes and -infinity for its upper ones: no ray meets it.
+struct alignas(32) BoxNode {
+    float planes[3][2][kBoxWidth];
+    BoxChild children[kBoxWidth];
+};
+static_assert(sizeof(BoxNode) == 224);
+
+/// In place of the id of a primitive: a lane that holds nothing.
+inline constexpr std::uint32_t kNoLane = 0xffffffffu;
+
+/// Triangles, and halves of rectangles, by lane. Shape: corners[vertex][axis][lane]; ids are
+/// values of PrimitiveId. Lanes are filled from the first on; the others have kNoLane and corners
+/// of 0.
+struct alignas(32) TriangleBlock {
+    float corners[3][3][kBoxWidth];
+    std::uint32_t ids[kBoxWidth];
+};
+static_assert(sizeof(TriangleBlock) == 320);
+
+/// Spheres by lane, as in TriangleBlock. Shape: center[axis][lane].
+struct alignas(32) SphereBlock {
+    float center[3][kBoxWidth];
+    float radius[kBoxWidth];
+    std::uint32_t ids[kBoxWidth];
+};
+static_assert(sizeof(SphereBlock) == 160);
+
+/// A tree as it is traced. The root is a child of no node; planes are not in the tree.
+struct BoxTreeView {
+    BoxChild root = 0;
+    bool is_empty = true;
+    const BoxNode* nodes = nullptr;
+    const TriangleBlock* triangles = nullptr;
+    const SphereBlock* spheres = nullptr;
+    const std::uint32_t* list = nullptr;  // values of PrimitiveId; a leaf lists one kind only
+};
+
+}  // namespace lray::bvh

@@ -4,30 +4,16 @@
 #include <cmath>
 
 #include "base/ray.h"
+#include "bvh/float_ray.h"
 
 namespace lray::bvh {
 
-/// A ray in double precision, and in float the axes and the shear of the watertight triangle test:
-/// kz is the axis along which the ray runs fastest, and adding (-shear_x, -shear_y) z to the x and
-/// y of a vertex (in permuted axes, relative to the origin) makes the ray the z axis.
+/// A ray in double precision, and what is needed of it in float.
 /// NaN and a direction of 0 make NaN shears: no primitive is hit.
 /// Source: Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", sec. 3.
-struct PreparedRay {
+struct PreparedRay : FloatRay {
     DVec3 origin{};
     DVec3 dir{};
-    Vec3 origin_float{};
-    int kx = 0;
-    int ky = 1;
-    int kz = 2;
-    float shear_x = 0.0f;
-    float shear_y = 0.0f;
-
-    // For slabs: 1 / dir, at most kMaxInverse; and the origin as the planes of a box see it that
-    // the ray passes first (near) and last (far), moved apart by its error.
-    Vec3 inv_dir{};
-    Vec3 inv_dir_far{};  // larger by the slack of slabs: it makes them be left later
-    Vec3 origin_near{};
-    Vec3 origin_far{};
 };
 
 /// The inverse of 0: it gives no NaN, and by it a box on whose face a ray runs is not left.
@@ -52,34 +38,45 @@ inline bool is_traceable(const Ray& ray) {
     return is_finite(ray.origin) && is_finite(ray.dir);
 }
 
+/// One axis of the slabs of a ray.
+inline void prepare_slab(float origin, float dir, std::size_t axis, FloatRay& ray) {
+    const float inverse = 1.0f / dir;
+    const float limited = inverse > kMaxInverse    ? kMaxInverse
+                          : inverse < -kMaxInverse ? -kMaxInverse
+                                                   : inverse;
+    const float slack = std::fabs(origin) * kOriginSlack + kLeastOriginSlack;
+    const float ahead = std::copysign(slack, inverse);
+    ray.inv_dir[axis] = limited;
+    ray.inv_dir_far[axis] = limited * kExitFactor;
+    ray.origin_float[axis] = origin;
+    ray.origin_near[axis] = origin + ahead;
+    ray.origin_far[axis] = origin - ahead;
+    ray.near_side[axis] = std::signbit(inverse) ? 1 : 0;
+}
+
 /// Space: any, if `dir` keeps the length that the way there gives it: t stays the world's.
 inline PreparedRay prepare(DVec3 origin, DVec3 dir) {
     PreparedRay result;
     result.origin = origin;
     result.dir = dir;
-    result.origin_float = Vec3{origin};
-    const Vec3 dir_float{dir};
-    const float x = std::fabs(dir_float.x);
-    const float y = std::fabs(dir_float.y);
-    const float z = std::fabs(dir_float.z);
-    result.kz = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-    result.kx = (result.kz + 1) % 3;
-    result.ky = (result.kx + 1) % 3;
-    const float dir_z = dir_float[result.kz];
-    result.shear_x = dir_float[result.kx] / dir_z;
-    result.shear_y = dir_float[result.ky] / dir_z;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float inverse = 1.0f / dir_float[axis];
-        result.inv_dir[axis] = inverse > kMaxInverse    ? kMaxInverse
-                               : inverse < -kMaxInverse ? -kMaxInverse
-                                                        : inverse;
-        result.inv_dir_far[axis] = result.inv_dir[axis] * kExitFactor;
-        const float origin_float = result.origin_float[axis];
-        const float slack = std::fabs(origin_float) * kOriginSlack + kLeastOriginSlack;
-        const float ahead = inverse < 0.0f ? -slack : slack;
-        result.origin_near[axis] = origin_float + ahead;
-        result.origin_far[axis] = origin_float - ahead;
-    }
+    const float d[3] = {static_cast<float>(dir.x), static_cast<float>(dir.y),
+                        static_cast<float>(dir.z)};
+    prepare_slab(static_cast<float>(origin.x), d[0], 0, result);
+    prepare_slab(static_cast<float>(origin.y), d[1], 1, result);
+    prepare_slab(static_cast<float>(origin.z), d[2], 2, result);
+    // Without branches: rays after each other may run anywhere.
+    const float x = std::fabs(d[0]);
+    const float y = std::fabs(d[1]);
+    const float z = std::fabs(d[2]);
+    const std::uint32_t x_or_y = x > y ? 0 : 1;
+    const std::uint32_t fastest = (x > y ? x : y) > z ? x_or_y : 2;
+    const std::uint32_t next = fastest == 2 ? 0 : fastest + 1;
+    const std::uint32_t last = next == 2 ? 0 : next + 1;
+    result.axes[0] = next;
+    result.axes[1] = last;
+    result.axes[2] = fastest;
+    result.shear_x = d[next] / d[fastest];
+    result.shear_y = d[last] / d[fastest];
     return result;
 }
 

@@ -35,11 +35,11 @@ struct Stretch {
 /// Grows with the box: a box inside of another has a stretch inside of the other's, to the bit.
 inline Stretch stretch_in(const Bounds& box, const PreparedRay& ray) {
     const auto near = [&](int axis) {
-        const float plane = ray.inv_dir[axis] < 0.0f ? box.max[axis] : box.min[axis];
+        const float plane = ray.near_side[axis] != 0 ? box.max[axis] : box.min[axis];
         return (plane - ray.origin_near[axis]) * ray.inv_dir[axis];
     };
     const auto far = [&](int axis) {
-        const float plane = ray.inv_dir[axis] < 0.0f ? box.min[axis] : box.max[axis];
+        const float plane = ray.near_side[axis] != 0 ? box.min[axis] : box.max[axis];
         return (plane - ray.origin_far[axis]) * ray.inv_dir_far[axis];
     };
     const auto greater = [](float a, float b) { return a > b ? a : b; };

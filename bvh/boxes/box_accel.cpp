@@ -47,10 +47,10 @@ class TileWalk {
         for (std::uint32_t i = 0; i < count_; ++i) {
             if ((active >> i & 1) == 0) continue;
             if (first == nullptr) first = &*walks_[i];
-            if (!std::ranges::equal(walks_[i]->ray.near_side, first->ray.near_side)) return false;
+            if (!std::ranges::equal(walks_[i]->ray->near_side, first->ray->near_side)) return false;
         }
         if (first == nullptr) return true;
-        std::ranges::copy(first->ray.near_side, tile_.near_side);
+        std::ranges::copy(first->ray->near_side, tile_.near_side);
         for (std::uint32_t i = 0; i < kMaxTileRays; ++i) {
             const bool is_active = (active >> i & 1) != 0;
             put(i, is_active ? *walks_[i] : *first);
@@ -72,10 +72,10 @@ class TileWalk {
  private:
     void put(std::uint32_t ray, const Walk& walk) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            tile_.origin_near[axis][ray] = walk.ray.origin_near[axis];
-            tile_.origin_far[axis][ray] = walk.ray.origin_far[axis];
-            tile_.inv_dir[axis][ray] = walk.ray.inv_dir[axis];
-            tile_.inv_dir_far[axis][ray] = walk.ray.inv_dir_far[axis];
+            tile_.origin_near[axis][ray] = walk.ray->origin_near[axis];
+            tile_.origin_far[axis][ray] = walk.ray->origin_far[axis];
+            tile_.inv_dir[axis][ray] = walk.ray->inv_dir[axis];
+            tile_.inv_dir_far[axis][ray] = walk.ray->inv_dir_far[axis];
         }
         tile_.lo[ray] = walk.lo;
         tile_.reach[ray] = walk.reach;

@@ -18,7 +18,8 @@ using scene::PrimitiveKind;
 /// How far the tests of spheres in float are off, in parts of the distances they work with.
 constexpr double kSphereSlack = 0x1p-20;
 
-void prepare_for_spheres(const PreparedRay& ray, WalkRay& result) {
+SphereRay make_sphere_ray(const PreparedRay& ray) {
+    SphereRay result{};
     const double length = std::sqrt(dot(ray.dir, ray.dir));
     result.t_per_length = static_cast<float>(1.0 / length);
     double origin_size = 0.0;
@@ -27,25 +28,6 @@ void prepare_for_spheres(const PreparedRay& ray, WalkRay& result) {
         origin_size += std::fabs(ray.origin[axis]);
     }
     result.origin_error = static_cast<float>(origin_size * kSphereSlack);
-}
-
-WalkRay walk_ray(const PreparedRay& ray, const BoxTreeView& tree) {
-    WalkRay result{};
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        result.origin_near[i] = ray.origin_near[axis];
-        result.origin_far[i] = ray.origin_far[axis];
-        result.inv_dir[i] = ray.inv_dir[axis];
-        result.inv_dir_far[i] = ray.inv_dir_far[axis];
-        result.near_side[i] = ray.inv_dir[axis] < 0.0f ? 1 : 0;
-        result.origin[i] = ray.origin_float[axis];
-    }
-    result.axes[0] = static_cast<std::uint32_t>(ray.kx);
-    result.axes[1] = static_cast<std::uint32_t>(ray.ky);
-    result.axes[2] = static_cast<std::uint32_t>(ray.kz);
-    result.shear_x = ray.shear_x;
-    result.shear_y = ray.shear_y;
-    if (tree.spheres != nullptr) prepare_for_spheres(ray, result);
     return result;
 }
 
@@ -155,13 +137,15 @@ constexpr WalkCalls kAnyCalls{any_triangle, any_sphere, any_listed};
 
 PartWalk::PartWalk(const BoxParts& the_parts, const BoxPart& the_part, scene::PlaceOffset the_place,
                    const PreparedRay& the_ray, Interval the_interval, TraceCounts& the_counts)
-    : Walk{walk_ray(the_ray, the_part.tree.view), the_interval.lo, reach_of(the_interval.hi), nullptr, 0, 0},
+    : Walk{&the_ray, nullptr, the_interval.lo, reach_of(the_interval.hi), {}, 0, 0},
       parts(&the_parts),
       part(&the_part),
       place(the_place),
       prepared(&the_ray),
       interval(the_interval),
-      counts(&the_counts) {}
+      counts(&the_counts) {
+    if (part->tree.view.spheres != nullptr) sphere_ray = make_sphere_ray(the_ray);
+}
 
 void PartWalk::seek_nearest(Hit& the_best) {
     calls = &kNearestCalls;

@@ -21,11 +21,11 @@ Waiting enter(const BoxNode& node, std::size_t child, const Walk& walk, bool& is
     float entry = walk.lo;
     float exit = walk.reach;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t near_side = walk.ray.near_side[axis];
-        const float near = (node.planes[axis][near_side][child] - walk.ray.origin_near[axis]) *
-                           walk.ray.inv_dir[axis];
-        const float far = (node.planes[axis][1 - near_side][child] - walk.ray.origin_far[axis]) *
-                          walk.ray.inv_dir_far[axis];
+        const std::size_t near_side = walk.ray->near_side[axis];
+        const float near = (node.planes[axis][near_side][child] - walk.ray->origin_near[axis]) *
+                           walk.ray->inv_dir[axis];
+        const float far = (node.planes[axis][1 - near_side][child] - walk.ray->origin_far[axis]) *
+                          walk.ray->inv_dir_far[axis];
         entry = near > entry ? near : entry;
         exit = far < exit ? far : exit;
     }
@@ -39,11 +39,11 @@ struct Corner {
 };
 
 /// sheared() of kernels/triangle.h.
-Corner shear(const TriangleBlock& block, std::size_t corner, std::uint32_t lane, const WalkRay& ray) {
+Corner shear(const TriangleBlock& block, std::size_t corner, std::uint32_t lane, const FloatRay& ray) {
     const auto& axes = block.corners[corner];
-    const float z = axes[ray.axes[2]][lane] - ray.origin[ray.axes[2]];
-    const float x = axes[ray.axes[0]][lane] - ray.origin[ray.axes[0]];
-    const float y = axes[ray.axes[1]][lane] - ray.origin[ray.axes[1]];
+    const float z = axes[ray.axes[2]][lane] - ray.origin_float[ray.axes[2]];
+    const float x = axes[ray.axes[0]][lane] - ray.origin_float[ray.axes[0]];
+    const float y = axes[ray.axes[1]][lane] - ray.origin_float[ray.axes[1]];
     return {x - ray.shear_x * z, y - ray.shear_y * z};
 }
 
@@ -54,9 +54,9 @@ float area_of(Corner p, Corner q) {
 bool meet_triangles(const TriangleBlock& block, Walk& walk) {
     for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
         ++walk.primitive_tests;
-        const Corner a = shear(block, 0, lane, walk.ray);
-        const Corner b = shear(block, 1, lane, walk.ray);
-        const Corner c = shear(block, 2, lane, walk.ray);
+        const Corner a = shear(block, 0, lane, *walk.ray);
+        const Corner b = shear(block, 1, lane, *walk.ray);
+        const Corner c = shear(block, 2, lane, *walk.ray);
         const TriangleAreas areas{area_of(c, b), area_of(a, c), area_of(b, a)};
         const bool has_negative = areas.a < 0.0f || areas.b < 0.0f || areas.c < 0.0f;
         const bool has_positive = areas.a > 0.0f || areas.b > 0.0f || areas.c > 0.0f;

@@ -1,8 +1,6 @@
 // Ray against triangle, watertight: no ray slips between triangles that share vertices.
 #pragma once
 
-#include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -53,10 +51,10 @@ struct ShearedCorner {
 };
 
 inline ShearedCorner sheared(Vec3 p, const PreparedRay& ray) {
-    const auto q = std::bit_cast<std::array<float, 3>>(p - ray.origin_float);
-    const float z = q[static_cast<std::size_t>(ray.kz)];
-    return {q[static_cast<std::size_t>(ray.kx)] - ray.shear_x * z,
-            q[static_cast<std::size_t>(ray.ky)] - ray.shear_y * z};
+    const float q[3] = {p.x - ray.origin_float[0], p.y - ray.origin_float[1],
+                        p.z - ray.origin_float[2]};
+    const float z = q[ray.axes[2]];
+    return {q[ray.axes[0]] - ray.shear_x * z, q[ray.axes[1]] - ray.shear_y * z};
 }
 
 /// Twice the signed areas, as the ray sees them, opposite the corners a, b and c.
@@ -87,20 +85,20 @@ inline KernelHit finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>&
                                  const PreparedRay& ray, Interval interval) {
     const float sum = areas.a + areas.b + areas.c;
     const float magnitude = std::fabs(sum);
-    float u = areas.b / sum;
-    float v = areas.c / sum;
-    if (areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
-        !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity)) {
-        const EdgeAreas<double> exact =
-            edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
+    const bool is_exact = areas.a != 0.0f && areas.b != 0.0f && areas.c != 0.0f &&
+                          magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity;
+    EdgeAreas<double> exact;
+    double exact_sum = 0.0;
+    if (!is_exact) {
+        exact = edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
         if (exact.have_two_signs()) return {};
-        const double exact_sum = exact.a + exact.b + exact.c;
+        exact_sum = exact.a + exact.b + exact.c;
         if (!(exact_sum != 0.0)) return {};
-        u = static_cast<float>(exact.b / exact_sum);
-        v = static_cast<float>(exact.c / exact_sum);
     }
     const float t = static_cast<float>(triangle_t(a, b, c, ray));
-    return interval.contains(t) ? KernelHit{t, u, v} : KernelHit{};
+    if (!interval.contains(t)) return {};
+    if (is_exact) return {t, areas.b / sum, areas.c / sum};
+    return {t, static_cast<float>(exact.b / exact_sum), static_cast<float>(exact.c / exact_sum)};
 }
 
 /// Returns the hit on either side of the triangle; u and v are the barycentric coordinates of b

@@ -12,7 +12,6 @@
 
 #include <hwy/highway.h>
 
-#include "bvh/boxes/box_layout.h"
 #include "bvh/simd/walk.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,7 +50,7 @@ struct SlabRay {
     FloatVec lo;
 };
 
-HWY_INLINE SlabAxis make_slab_axis(const WalkRay& ray, std::size_t axis) {
+HWY_INLINE SlabAxis make_slab_axis(const FloatRay& ray, std::size_t axis) {
     const Floats d;
     const std::size_t near_side = ray.near_side[axis];
     SlabAxis result;
@@ -66,9 +65,9 @@ HWY_INLINE SlabAxis make_slab_axis(const WalkRay& ray, std::size_t axis) {
 
 HWY_INLINE SlabRay make_slab_ray(const Walk& walk) {
     SlabRay result;
-    result.x = make_slab_axis(walk.ray, 0);
-    result.y = make_slab_axis(walk.ray, 1);
-    result.z = make_slab_axis(walk.ray, 2);
+    result.x = make_slab_axis(*walk.ray, 0);
+    result.y = make_slab_axis(*walk.ray, 1);
+    result.z = make_slab_axis(*walk.ray, 2);
     result.lo = hn::Set(Floats(), walk.lo);
     return result;
 }
@@ -112,12 +111,12 @@ struct ShearRay {
     std::size_t axes[3];
 };
 
-HWY_INLINE ShearRay make_shear_ray(const WalkRay& ray) {
+HWY_INLINE ShearRay make_shear_ray(const FloatRay& ray) {
     const Floats d;
     ShearRay result;
-    result.origin_x = hn::Set(d, ray.origin[ray.axes[0]]);
-    result.origin_y = hn::Set(d, ray.origin[ray.axes[1]]);
-    result.origin_z = hn::Set(d, ray.origin[ray.axes[2]]);
+    result.origin_x = hn::Set(d, ray.origin_float[ray.axes[0]]);
+    result.origin_y = hn::Set(d, ray.origin_float[ray.axes[1]]);
+    result.origin_z = hn::Set(d, ray.origin_float[ray.axes[2]]);
     result.shear_x = hn::Set(d, ray.shear_x);
     result.shear_y = hn::Set(d, ray.shear_y);
     for (std::size_t i = 0; i < 3; ++i) result.axes[i] = ray.axes[i];
@@ -186,16 +185,17 @@ HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, const Walk& walk
     const Words w;
     constexpr float kSlack = 0x1p-19f;
     constexpr float kLeast = 0x1p-126f;
-    const WalkRay& ray = walk.ray;
+    const SphereRay& ray = walk.sphere_ray;
+    const float* const origin = walk.ray->origin_float;
     const FloatVec dir_x = hn::Set(d, ray.unit_dir[0]);
     const FloatVec dir_y = hn::Set(d, ray.unit_dir[1]);
     const FloatVec dir_z = hn::Set(d, ray.unit_dir[2]);
     const FloatVec t_per_length = hn::Set(d, ray.t_per_length);
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
-        const FloatVec x = hn::Sub(hn::Load(d, block.center[0] + i), hn::Set(d, ray.origin[0]));
-        const FloatVec y = hn::Sub(hn::Load(d, block.center[1] + i), hn::Set(d, ray.origin[1]));
-        const FloatVec z = hn::Sub(hn::Load(d, block.center[2] + i), hn::Set(d, ray.origin[2]));
+        const FloatVec x = hn::Sub(hn::Load(d, block.center[0] + i), hn::Set(d, origin[0]));
+        const FloatVec y = hn::Sub(hn::Load(d, block.center[1] + i), hn::Set(d, origin[1]));
+        const FloatVec z = hn::Sub(hn::Load(d, block.center[2] + i), hn::Set(d, origin[2]));
         const FloatVec radius = hn::Load(d, block.radius + i);
         const FloatVec distance = hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Add(hn::Abs(z), radius));
         const FloatVec larger =

@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace lray::bvh::HWY_NAMESPACE {
 
 /// Tells the walk's calls of what the ray may meet in a leaf. Returns true if one ended the walk.
-HWY_INLINE bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearRay& shear_ray,
+HWY_NOINLINE bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearRay& shear_ray,
                           Walk& walk) {
     const std::uint32_t count = (leaf >> kBoxCountShift & (kMaxLeafCount - 1)) + 1;
     const std::uint32_t first = leaf & kMaxLeafFirst;

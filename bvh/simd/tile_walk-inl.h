@@ -186,7 +186,7 @@ HWY_INLINE void walk_tile(const BoxTreeView& tree, Tile& tile) {
             const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
             rays &= rays - 1;
             Walk& walk = *tile.walks[ray];
-            if (meet_leaf(tree, current.child, make_shear_ray(walk.ray), walk)) {
+            if (meet_leaf(tree, current.child, make_shear_ray(*walk.ray), walk)) {
                 tile.active &= ~(std::uint64_t{1} << ray);
                 tile.reach[ray] = kNoReach;
             } else if (is_ordered) {

@@ -33,7 +33,7 @@ HWY_INLINE bool walk_tree(const BoxTreeView& tree, Walk& walk) {
     const Floats d;
     if (tree.is_empty) return false;
     const SlabRay slab_ray = make_slab_ray(walk);
-    const ShearRay shear_ray = make_shear_ray(walk.ray);
+    const ShearRay shear_ray = make_shear_ray(*walk.ray);
     FloatVec reach = hn::Set(d, walk.reach);
     Waiting stack[kMaxWaiting];
     Waiting* top = stack;

@@ -6,31 +6,19 @@
 #include <cstdint>
 
 #include "bvh/boxes/box_layout.h"
+#include "bvh/float_ray.h"
 
 namespace lray::bvh {
 
 /// Each node on the way down leaves at most all its children but one waiting.
 inline constexpr std::uint32_t kMaxWaiting = kMaxBoxDepth * (kBoxWidth - 1) + 1;
 
-/// Of a PreparedRay what boxes and blocks are tested with.
-struct WalkRay {
-    // Slabs, by axis (slab.h).
-    float origin_near[3];
-    float origin_far[3];
-    float inv_dir[3];
-    float inv_dir_far[3];
-    std::uint32_t near_side[3];  // of BoxNode::planes
-
-    // Triangles: the axes kx, ky, kz and the shear (prepared_ray.h).
-    float origin[3];
-    std::uint32_t axes[3];
-    float shear_x;
-    float shear_y;
-
-    // Spheres, where the tree has any: the direction made unit, and how far apart t is on it.
+/// What the blocks of spheres are tested with, where the tree has any: the direction made unit, and
+/// how far apart t is on it.
+struct SphereRay {
     float unit_dir[3];
     float t_per_length;
-    float origin_error;  // of the distance of anything from `origin`
+    float origin_error;  // of the distance of anything from the origin
 };
 
 /// Twice the signed areas opposite the corners a, b and c of a triangle that the ray may meet.
@@ -53,10 +41,11 @@ struct WalkCalls {
 
 /// One ray on its way through one tree.
 struct Walk {
-    WalkRay ray;
+    const FloatRay* ray;
+    const WalkCalls* calls;
     float lo;
     float reach;  // what is entered beyond it cannot hold a hit that counts: reach_of(hi)
-    const WalkCalls* calls;
+    SphereRay sphere_ray;
     std::uint64_t node_tests;
     std::uint64_t primitive_tests;
 };
@@ -67,7 +56,7 @@ inline constexpr std::uint32_t kMaxTileRays = 64;
 /// Rays that walk one tree together, because they run close to each other: their directions have
 /// the same signs. Shape: lists by ray are [axis][ray]; rays past the last have reach -infinity.
 struct alignas(64) Tile {
-    // As in WalkRay.
+    // As in FloatRay.
     float origin_near[3][kMaxTileRays];
     float origin_far[3][kMaxTileRays];
     float inv_dir[3][kMaxTileRays];

@@ -1,5 +1,9 @@
 #include "bvh/boxes/binned_split.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -13,10 +17,22 @@ constexpr int kMaxBinCount = 32;
 
 /// One bin of each axis.
 struct Bin {
-    Box4 box{};
-    std::uint64_t weight = 0;
+    Box4 box;
+    std::uint64_t weight;
 };
-using Bins = std::array<std::array<Bin, kMaxBinCount>, 3>;
+
+/// The first `count` of each axis are in use.
+struct Bins {
+    std::array<std::array<Bin, kMaxBinCount>, 3> by_axis;
+
+    explicit Bins(int count) {
+        for (auto& bins : by_axis) std::fill_n(bins.begin(), count, Bin{{}, 0});
+    }
+    std::array<Bin, kMaxBinCount>& operator[](std::size_t axis) { return by_axis[axis]; }
+    const std::array<Bin, kMaxBinCount>& operator[](std::size_t axis) const {
+        return by_axis[axis];
+    }
+};
 
 int bin_count_for(std::uint32_t ref_count, BuildQuality quality) {
     const int most = quality == BuildQuality::low ? 16 : kMaxBinCount;
@@ -54,6 +70,29 @@ void fill(Bins& bins, std::span<const BuildRef> refs, const BinMap& map) {
             bin.weight += weight;
         }
     }
+}
+
+Bins fill(std::span<const BuildRef> refs, const BinMap& map) {
+    Bins bins(map.bin_count);
+    if (refs.size() < kParallelCount) {
+        fill(bins, refs, map);
+        return bins;
+    }
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, refs.size(), kShare), bins,
+        [&](const tbb::blocked_range<std::size_t>& range, Bins some) {
+            fill(some, refs.subspan(range.begin(), range.size()), map);
+            return some;
+        },
+        [&](Bins a, const Bins& b) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                for (std::size_t i = 0; i < static_cast<std::size_t>(map.bin_count); ++i) {
+                    a[axis][i].box.add(b[axis][i].box);
+                    a[axis][i].weight += b[axis][i].weight;
+                }
+            }
+            return a;
+        });
 }
 
 /// Finds the cheapest plane between two bins.
@@ -118,9 +157,8 @@ Split find_split(std::span<const BuildRef> refs, const RefSet& set, BuildQuality
     const double area = half_area(set.summary.box);
     const Measure measure{!(area > 0.0)};
     const double size = measure(set.summary.box);
-    Bins bins{};
     const BinMap map = make_map(set.summary.centers, bin_count_for(set.count(), quality));
-    fill(bins, refs.subspan(set.first, set.count()), map);
+    const Bins bins = fill(refs.subspan(set.first, set.count()), map);
     Split best = sweep(bins, map, measure);
     const double leaf_cost = size * block_count(weight_of(refs, set));
     if (!(best.cost + kNodeCost * size < leaf_cost)) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/bounds.h"
+#include "bvh/boxes/arena.h"
 #include "bvh/boxes/box_layout.h"
 #include "bvh/boxes/float4.h"
 #include "scene/world.h"
@@ -56,13 +58,20 @@ RefCorners corners_of(const scene::Geometry& geometry, const BuildRef& ref);
 
 /// Primitives as a tree is built over them; planes, which have no box, apart.
 struct BuildRefs {
-    std::vector<BuildRef> refs{};
+    Arena arena{};  // of BuildRefs, `capacity` of them
+    std::uint32_t count = 0;
+    std::uint32_t capacity = 0;
     std::vector<scene::PrimitiveId> planes{};
+
+    /// Those beyond `count` are room for parts of primitives.
+    std::span<BuildRef> all() { return {reinterpret_cast<BuildRef*>(arena.data()), capacity}; }
+    std::span<BuildRef> used() { return all().first(count); }
 };
 
 /// Collects the visible primitives of a geometry. The boxes of triangles, rectangles and instances
 /// are exactly their bounds; those of kinds that are solved in double are widened by what rounding
-/// a hit to float may move it.
-BuildRefs make_build_refs(const scene::Geometry& geometry);
+/// a hit to float may move it. `room` is how many may be added, in parts of how many there are.
+/// Their order depends on the geometry alone, not on how many cores collect them.
+BuildRefs make_build_refs(const scene::Geometry& geometry, double room);
 
 }  // namespace lray::bvh

@@ -1,7 +1,9 @@
 #include "bvh/boxes/fill_tree.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <memory>
+#include <vector>
 
 #include "base/assert.h"
 
@@ -82,6 +84,7 @@ Block* fill_blocks(Block* block, const scene::Geometry& geometry, std::span<cons
     return block;
 }
 
+/// Writes from the beginning of the arrays on.
 void fill_leaves(Arrays arrays, const scene::Geometry& geometry, std::span<const BuildRef> refs,
                  std::span<const GrownLeaf> leaves) {
     for (const GrownLeaf& leaf : leaves) {
@@ -102,16 +105,73 @@ void fill_leaves(Arrays arrays, const scene::Geometry& geometry, std::span<const
     }
 }
 
+/// A part and how much of each array is before it.
+struct PlacedPart {
+    GrownPart* part = nullptr;
+    BoxTreeCounts before{};
+};
+
+BoxChild relocated(BoxChild child, const BoxTreeCounts& before) {
+    // Indices are in the low bits of all kinds; grow_tree() and place() see to their range.
+    BoxTreeCounts counts = before;
+    return child + counts.of(kind_of(child));
+}
+
+/// Puts a part and its branches in order, and moves the indices of its children there.
+// NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most
+BoxChild place(GrownPart& part, BoxTreeCounts& next, std::vector<PlacedPart>& placed) {
+    const BoxTreeCounts before = next;
+    placed.push_back({&part, before});
+    next += part.counts;
+    for (GrownBranch& branch : part.branches) {
+        part.nodes[0].children[branch.lane] = place(branch.part, next, placed);
+    }
+    return relocated(part.root, before);
+}
+
+void write_part(const PlacedPart& placed, Arrays arrays, const scene::Geometry& geometry,
+                std::span<const BuildRef> refs) {
+    const GrownPart& part = *placed.part;
+    const BoxTreeCounts& before = placed.before;
+    BoxNode* const nodes = arrays.nodes + before.nodes;
+    std::ranges::copy(part.nodes, nodes);
+    if (part.branches.empty()) {
+        for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+            for (std::size_t lane = 0; lane < kBoxWidth; ++lane) {
+                if (nodes[i].planes[0][0][lane] == kInfinity) break;  // no more children
+                nodes[i].children[lane] = relocated(nodes[i].children[lane], before);
+            }
+        }
+    }
+    arrays.triangles += before.triangle_blocks;
+    arrays.spheres += before.sphere_blocks;
+    arrays.list += before.listed;
+    fill_leaves(arrays, geometry, refs, part.leaves);
+}
+
 }  // namespace
 
 BoxTree fill_tree(const scene::Geometry& geometry, std::span<const BuildRef> refs,
-                  const GrownPart& part) {
+                  GrownPart& grown) {
     BoxTree tree;
-    tree.arena = Arena(Layout(part.counts).size);
-    const Arrays arrays = arrays_in(tree.arena, part.counts);
-    std::ranges::copy(part.nodes, arrays.nodes);
-    fill_leaves(arrays, geometry, refs, part.leaves);
-    tree.view = {part.root, false, arrays.nodes, arrays.triangles, arrays.spheres, arrays.list};
+    BoxTreeCounts counts;
+    std::vector<PlacedPart> placed;
+    const BoxChild root = place(grown, counts, placed);
+    LRAY_ASSERT(counts.nodes < kMaxBoxNodes && counts.triangle_blocks <= kMaxLeafFirst &&
+                counts.sphere_blocks <= kMaxLeafFirst && counts.listed <= kMaxLeafFirst);
+    tree.arena = Arena(Layout(counts).size);
+    const Arrays arrays = arrays_in(tree.arena, counts);
+    tbb::parallel_for(std::size_t{0}, placed.size(),
+                      [&](std::size_t i) { write_part(placed[i], arrays, geometry, refs); });
+    tree.view = {root, false, arrays.nodes, arrays.triangles, arrays.spheres, arrays.list};
+    for (const PlacedPart& some : placed) {
+        tree.stats.leaves += some.part->leaves.size();
+        tree.stats.references += some.part->ref_count;
+        tree.stats.depth = std::max(tree.stats.depth, some.part->depth);
+        tree.stats.cost += some.part->cost;
+    }
+    tree.stats.nodes = counts.nodes;
+    tree.stats.bytes = tree.arena.size();
     return tree;
 }
 

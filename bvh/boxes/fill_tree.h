@@ -9,9 +9,9 @@
 
 namespace lray::bvh {
 
-/// Returns the tree without planes and statistics: in one arena the nodes, the blocks of triangles,
+/// Returns the tree without its planes: in one arena the nodes, the blocks of triangles,
 /// those of spheres and the lists, each in the order in which it was grown.
 BoxTree fill_tree(const scene::Geometry& geometry, std::span<const BuildRef> refs,
-                  const GrownPart& part);
+                  GrownPart& grown);
 
 }  // namespace lray::bvh

@@ -1,5 +1,7 @@
 #include "bvh/boxes/grow_tree.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -17,6 +19,9 @@ namespace {
 /// From this depth on sets are halved by count: of 2^29 references, eight halves of halves of
 /// halves a node, leaves of one class are at most 10 further down.
 constexpr std::uint32_t kHalvingDepth = kMaxBoxDepth - 16;
+
+/// Larger sets are grown by tasks of their own.
+constexpr std::uint32_t kTaskCount = 1u << 13;
 
 /// A child of a node that is being made, and how it will be divided.
 struct Candidate {
@@ -49,8 +54,14 @@ class Grower {
  public:
     Grower(std::span<BuildRef> refs, BuildQuality quality) : refs_(refs), quality_(quality) {}
 
-    GrownPart run(const Candidate& root) {
-        part_.root = grow(root, 1);
+    /// Grows what is below a candidate: large ones by a task for each child.
+    // NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most
+    GrownPart run(const Candidate& root, std::uint32_t depth) {
+        if (root.set.count() < kTaskCount || root.split.kind == SplitKind::none) {
+            part_.root = grow(root, depth);
+        } else {
+            part_.root = branch(root, depth);
+        }
         part_.counts.nodes = static_cast<std::uint32_t>(part_.nodes.size());
         return std::move(part_);
     }
@@ -85,6 +96,27 @@ class Grower {
             set_child(part_.nodes[index], lane, children[lane].set.summary.box, child);
         }
         return static_cast<BoxChild>(index);
+    }
+
+    // NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most
+    BoxChild branch(const Candidate& candidate, std::uint32_t depth) {
+        LRAY_ASSERT(depth < kMaxBoxDepth);
+        std::array<Candidate, kBoxWidth> children;
+        const std::size_t count = divide_wide(candidate, depth, children);
+        part_.nodes.push_back(empty_node());
+        part_.cost += candidate.area * kNodeCost;
+        part_.branches.resize(count);
+        tbb::parallel_for(
+            std::size_t{0}, count,
+            [&](std::size_t lane) {
+                part_.branches[lane].lane = lane;
+                part_.branches[lane].part = Grower(refs_, quality_).run(children[lane], depth + 1);
+            },
+            tbb::simple_partitioner{});
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            set_child(part_.nodes[0], lane, children[lane].set.summary.box, 0);
+        }
+        return 0;
     }
 
     /// Divides the largest until there are as many as fit a node.
@@ -126,7 +158,6 @@ class Grower {
         const BoxChild leaf = make_leaf(kind, size, next);
         next += size;
         part_.leaves.push_back({set.first, set.count(), kind});
-        ++part_.leaf_count;
         part_.ref_count += set.count();
         const auto ref_class = static_cast<std::size_t>(set.summary.only_class());
         part_.cost +=
@@ -153,11 +184,11 @@ class Grower {
 
 }  // namespace
 
-GrownPart grow_tree(std::vector<BuildRef>& refs, BuildQuality quality) {
+GrownPart grow_tree(std::span<BuildRef> refs, BuildQuality quality) {
     const auto count = static_cast<std::uint32_t>(refs.size());
     const RefSet all{0, count, summarize(refs)};
     Grower grower(refs, quality);
-    return grower.run(grower.make_candidate(all, 1));
+    return grower.run(grower.make_candidate(all, 1), 1);
 }
 
 }  // namespace lray::bvh

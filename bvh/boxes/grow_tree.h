@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -44,20 +43,28 @@ struct GrownLeaf {
     BoxChildKind kind = BoxChildKind::triangles;
 };
 
-/// The nodes that one task grew, in the order of a walk that takes each child with all below it
-/// before the next. Indices of children count from the first of this part.
+struct GrownBranch;
+
+/// What one task grew: nodes in the order of a walk that takes each child with all below it before
+/// the next. Indices count from the first of this part.
 struct GrownPart {
     std::vector<BoxNode> nodes{};
-    std::vector<GrownLeaf> leaves{};  // each with the next index of its kind
+    std::vector<GrownLeaf> leaves{};      // each with the next index of its kind
+    std::vector<GrownBranch> branches{};  // where others went on, in order; then there is one node
     BoxChild root = 0;
-    BoxTreeCounts counts{};
-    std::uint32_t depth = 0;  // children on the longest path, the root included
-    double cost = 0.0;        // by split_cost.h, times half the area of the tree
-    std::uint64_t leaf_count = 0;
+    BoxTreeCounts counts{};   // without branches
+    std::uint32_t depth = 0;  // of the deepest leaf; that of the root is 1
+    double cost = 0.0;        // of split_cost.h, times half the area of the tree
     std::uint64_t ref_count = 0;
 };
 
+/// The child of the only node of a part.
+struct GrownBranch {
+    std::size_t lane = 0;
+    GrownPart part{};
+};
+
 /// Grows the tree over references, which it brings into the order of the leaves.
-GrownPart grow_tree(std::vector<BuildRef>& refs, BuildQuality quality);
+GrownPart grow_tree(std::span<BuildRef> refs, BuildQuality quality);
 
 }  // namespace lray::bvh

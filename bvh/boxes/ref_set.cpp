@@ -1,6 +1,12 @@
 #include "bvh/boxes/ref_set.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "base/assert.h"
 #include "bvh/boxes/box_layout.h"
@@ -9,18 +15,103 @@ namespace lray::bvh {
 
 namespace {
 
-/// Divides in place and sums up both sides on the way. Returns how many are left.
+/// Two sides while they are divided.
+struct Sides {
+    std::size_t left_count = 0;
+    RefSummary left{};
+    RefSummary right{};
+};
+
+/// Divides in place and sums up both sides on the way.
 template <class IsLeft>
-std::uint32_t partition(std::span<BuildRef> refs, RefSummary& left, RefSummary& right,
-                        IsLeft is_left) {
+Sides partition(std::span<BuildRef> refs, IsLeft is_left) {
+    Sides sides;
     std::size_t begin = 0;
     std::size_t end = refs.size();
     while (true) {
-        while (begin < end && is_left(refs[begin])) left.add(refs[begin++]);
-        while (begin < end && !is_left(refs[end - 1])) right.add(refs[--end]);
-        if (begin >= end) return static_cast<std::uint32_t>(begin);
+        while (begin < end && is_left(refs[begin])) sides.left.add(refs[begin++]);
+        while (begin < end && !is_left(refs[end - 1])) sides.right.add(refs[--end]);
+        if (begin >= end) break;
         std::swap(refs[begin], refs[end - 1]);
     }
+    sides.left_count = begin;
+    return sides;
+}
+
+/// References [first, first + count) that are to change places with others.
+struct Run {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+/// Swaps those of `a` with those of `b`, in order; both are as many.
+void swap_runs(std::span<BuildRef> refs, std::span<const Run> a, std::span<const Run> b) {
+    struct Pair {
+        std::size_t a = 0;
+        std::size_t b = 0;
+        std::size_t count = 0;
+    };
+    std::vector<Pair> pairs;
+    std::size_t in_a = 0;  // passed of the first run
+    std::size_t in_b = 0;
+    while (!a.empty() && !b.empty()) {
+        const std::size_t count = std::min(a[0].count - in_a, b[0].count - in_b);
+        if (count > 0) pairs.push_back({a[0].first + in_a, b[0].first + in_b, count});
+        in_a += count;
+        in_b += count;
+        if (in_a == a[0].count) {
+            a = a.subspan(1);
+            in_a = 0;
+        }
+        if (in_b == b[0].count) {
+            b = b.subspan(1);
+            in_b = 0;
+        }
+    }
+    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+        BuildRef* const from = refs.data() + pairs[i].a;
+        std::swap_ranges(from, from + pairs[i].count, refs.data() + pairs[i].b);
+    });
+}
+
+/// The same on all cores: each share is divided on its own, then what stands on the wrong side of
+/// the whole changes places.
+template <class IsLeft>
+Sides partition_in_shares(std::span<BuildRef> refs, IsLeft is_left) {
+    std::vector<Sides> shares((refs.size() + kShare - 1) / kShare);
+    const auto share_of = [&](std::size_t i) {
+        return refs.subspan(i * kShare, std::min(kShare, refs.size() - i * kShare));
+    };
+    tbb::parallel_for(std::size_t{0}, shares.size(),
+                      [&](std::size_t i) { shares[i] = partition(share_of(i), is_left); });
+    Sides sides;
+    for (const Sides& share : shares) {
+        sides.left_count += share.left_count;
+        sides.left.add(share.left);
+        sides.right.add(share.right);
+    }
+    std::vector<Run> misplaced_right;
+    std::vector<Run> misplaced_left;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const std::size_t first = i * kShare;
+        const std::size_t middle = first + shares[i].left_count;
+        const std::size_t last = first + share_of(i).size();
+        if (middle < sides.left_count) {
+            misplaced_right.push_back({middle, std::min(last, sides.left_count) - middle});
+        }
+        if (middle > sides.left_count) {
+            const std::size_t from = std::max(first, sides.left_count);
+            misplaced_left.push_back({from, middle - from});
+        }
+    }
+    swap_runs(refs, misplaced_right, misplaced_left);
+    return sides;
+}
+
+template <class IsLeft>
+Sides partition_set(std::span<BuildRef> refs, IsLeft is_left) {
+    return refs.size() < kParallelCount ? partition(refs, is_left)
+                                        : partition_in_shares(refs, is_left);
 }
 
 TwoSets divide_in_middle(std::span<BuildRef> refs, const RefSet& set) {
@@ -35,36 +126,37 @@ TwoSets divide_in_middle(std::span<BuildRef> refs, const RefSet& set) {
 }  // namespace
 
 RefSummary summarize(std::span<const BuildRef> refs) {
-    RefSummary summary;
-    for (const BuildRef& ref : refs) summary.add(ref);
-    return summary;
+    const auto add = [refs](const tbb::blocked_range<std::size_t>& range, RefSummary summary) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) summary.add(refs[i]);
+        return summary;
+    };
+    const tbb::blocked_range<std::size_t> all(0, refs.size(), kShare);
+    if (refs.size() < kParallelCount) return add(all, {});
+    return tbb::parallel_reduce(all, RefSummary{}, add, [](RefSummary a, const RefSummary& b) {
+        a.add(b);
+        return a;
+    });
 }
 
 TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split) {
     LRAY_ASSERT(split.kind != SplitKind::none && set.count() >= 2);
     if (split.kind == SplitKind::middle) return divide_in_middle(refs, set);
-    TwoSets sides;
     const std::span<BuildRef> members = refs.subspan(set.first, set.count());
-    std::uint32_t left_count = 0;
+    Sides sides;
     if (split.kind == SplitKind::by_class) {
         const auto first_class = static_cast<unsigned>(std::countr_zero(set.summary.classes));
-        left_count = partition(members, sides.left.summary, sides.right.summary,
-                               [&](const BuildRef& ref) { return ref.ref_class() == first_class; });
+        sides = partition_set(members,
+                              [&](const BuildRef& ref) { return ref.ref_class() == first_class; });
     } else {
         const Float4 plane = Float4::fill(static_cast<float>(split.first_right_bin));
         const unsigned axis_bit = 1u << split.axis;
-        left_count =
-            partition(members, sides.left.summary, sides.right.summary, [&](const BuildRef& ref) {
-                return (lanes_below(split.map.position(ref), plane) & axis_bit) != 0;
-            });
+        sides = partition_set(members, [&](const BuildRef& ref) {
+            return (lanes_below(split.map.position(ref), plane) & axis_bit) != 0;
+        });
     }
-    LRAY_ASSERT(left_count > 0 && left_count < set.count());
-    const std::uint32_t middle = set.first + left_count;
-    sides.left.first = set.first;
-    sides.left.last = middle;
-    sides.right.first = middle;
-    sides.right.last = set.last;
-    return sides;
+    LRAY_ASSERT(sides.left_count > 0 && sides.left_count < set.count());
+    const std::uint32_t middle = set.first + static_cast<std::uint32_t>(sides.left_count);
+    return {{set.first, middle, sides.left}, {middle, set.last, sides.right}};
 }
 
 }  // namespace lray::bvh

@@ -53,6 +53,11 @@ struct RefSet {
     std::uint32_t count() const { return last - first; }
 };
 
+/// From so many references on, a set is gone through by several tasks. Their shares are of a fixed
+/// size, so that the result does not depend on the number of cores.
+inline constexpr std::uint32_t kParallelCount = 1u << 16;
+inline constexpr std::size_t kShare = 1u << 14;
+
 /// Sums up references.
 RefSummary summarize(std::span<const BuildRef> refs);
 

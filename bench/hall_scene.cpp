@@ -22,8 +22,8 @@ constexpr double kColumnRadius = 0.45;
 constexpr double kArchRadius = 0.3;
 constexpr int kColumnsPerRow = 8;
 constexpr double kColumnStep = kHall.x / kColumnsPerRow;
-constexpr int kCableCount = 1497;
-constexpr int kCableSegments = 25;
+constexpr int kCableCount = 290;
+constexpr int kCableSegments = 8;
 constexpr int kCableSides = 6;
 
 std::uint32_t add_vertex(scene::World& world, DVec3 point) {
@@ -83,15 +83,15 @@ void add_walls(scene::World& world) {
 }
 
 void add_column(scene::World& world, double x, double z) {
-    constexpr int kRings = 40;
+    constexpr int kRings = 160;
     std::vector<DVec3> path;
     for (int i = 0; i <= kRings; ++i) path.push_back({x, kColumnHeight * i / kRings, z});
-    add_tube(world, path, kColumnRadius, 32);
+    add_tube(world, path, kColumnRadius, 64);
 }
 
 /// Adds half a ring from the top of one column to that of another.
 void add_arch(scene::World& world, DVec3 begin, DVec3 end) {
-    constexpr int kSegments = 48;
+    constexpr int kSegments = 88;
     const DVec3 middle = 0.5 * (begin + end);
     const DVec3 half = 0.5 * (begin - end);
     std::vector<DVec3> path;
@@ -99,7 +99,7 @@ void add_arch(scene::World& world, DVec3 begin, DVec3 end) {
         const DVec2 turned = unit_circle_point(0.5 * i / kSegments);
         path.push_back(middle + turned.x * half + DVec3{0.0, turned.y * glm::length(half), 0.0});
     }
-    add_tube(world, path, kArchRadius, 24);
+    add_tube(world, path, kArchRadius, 48);
 }
 
 void add_columns_and_arches(scene::World& world) {

@@ -46,7 +46,7 @@ TraceScene scene_of_cube() {
     TraceScene result;
     result.eye = {1.9f, 1.4f, 2.3f};
     result.target = {0.5f, 0.5f, 0.5f};
-    result.view_width = 0.75;
+    result.view_width = 0.4;
     result.light = {-0.6f, 2.5f, 1.8f};
     return result;
 }

@@ -1,5 +1,6 @@
 #include "base/assert.h"
 #include "bvh/accel.h"
+#include "bvh/boxes/box_accel.h"
 #include "bvh/brute_force.h"
 #include "bvh/spheres/sphere_accel.h"
 
@@ -28,7 +29,7 @@ std::unique_ptr<Accel> build(const scene::World& world, const BuildOptions& opti
         case AccelKind::spheres:
             return make_sphere_accel(world);
         case AccelKind::boxes:
-            return make_sphere_accel(world);  // until boxes are here
+            return make_box_accel(world, options.quality, simd_walks());
     }
     LRAY_ASSERT(false);
 }

@@ -9,6 +9,9 @@ namespace lray::bvh {
 /// Children of a node, triangles or spheres of a block.
 inline constexpr std::uint32_t kBoxWidth = 8;
 
+/// No path from the root has more nodes.
+inline constexpr std::uint32_t kMaxBoxDepth = 64;
+
 /// What a child is. Nodes: the index of one. Leaves: `count` blocks or listed primitives from
 /// `first` on.
 enum class BoxChildKind : std::uint32_t { node, triangles, spheres, list };

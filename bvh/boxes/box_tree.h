@@ -13,9 +13,6 @@
 
 namespace lray::bvh {
 
-/// No path from the root is longer.
-inline constexpr std::uint32_t kMaxBoxDepth = 64;
-
 /// A tree over one geometry. The box of a child holds those of its primitives (or, cut in two, of
 /// its part of them), rounding included; every primitive is in exactly one leaf, or in each leaf
 /// of its parts.

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "bvh/kernels/kernel_hit.h"
 #include "bvh/prepared_ray.h"
@@ -47,6 +46,63 @@ inline double triangle_t(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
     return t < least ? least : (t > most ? most : t);
 }
 
+/// A corner in the axes of the ray, moved so that the ray is the z axis.
+struct ShearedCorner {
+    float x = 0.0f;
+    float y = 0.0f;
+};
+
+inline ShearedCorner sheared(Vec3 p, const PreparedRay& ray) {
+    const auto q = std::bit_cast<std::array<float, 3>>(p - ray.origin_float);
+    const float z = q[static_cast<std::size_t>(ray.kz)];
+    return {q[static_cast<std::size_t>(ray.kx)] - ray.shear_x * z,
+            q[static_cast<std::size_t>(ray.ky)] - ray.shear_y * z};
+}
+
+/// Twice the signed areas, as the ray sees them, opposite the corners a, b and c.
+template <class Number>
+struct EdgeAreas {
+    Number a{};
+    Number b{};
+    Number c{};
+
+    bool have_two_signs() const {  // NaN has none
+        return (a < Number{0} || b < Number{0} || c < Number{0}) &&
+               (a > Number{0} || b > Number{0} || c > Number{0});
+    }
+};
+
+template <class Number>
+EdgeAreas<Number> edge_areas(ShearedCorner a, ShearedCorner b, ShearedCorner c) {
+    const auto area = [](ShearedCorner p, ShearedCorner q) {
+        return static_cast<Number>(p.x) * static_cast<Number>(q.y) -
+               static_cast<Number>(p.y) * static_cast<Number>(q.x);
+    };
+    return {area(c, b), area(a, c), area(b, a)};
+}
+
+/// Returns the hit of a triangle whose areas do not have two signs: intersect_triangle()'s second
+/// half.
+inline KernelHit finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>& areas,
+                                 const PreparedRay& ray, Interval interval) {
+    const float sum = areas.a + areas.b + areas.c;
+    const float magnitude = std::fabs(sum);
+    float u = areas.b / sum;
+    float v = areas.c / sum;
+    if (areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
+        !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity)) {
+        const EdgeAreas<double> exact =
+            edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
+        if (exact.have_two_signs()) return {};
+        const double exact_sum = exact.a + exact.b + exact.c;
+        if (!(exact_sum != 0.0)) return {};
+        u = static_cast<float>(exact.b / exact_sum);
+        v = static_cast<float>(exact.c / exact_sum);
+    }
+    const float t = static_cast<float>(triangle_t(a, b, c, ray));
+    return interval.contains(t) ? KernelHit{t, u, v} : KernelHit{};
+}
+
 /// Returns the hit on either side of the triangle; u and v are the barycentric coordinates of b
 /// and c. Through a shared edge or vertex a ray hits at least one of the triangles around it, often
 /// more, at the t of each; a triangle seen exactly edge-on is not hit.
@@ -57,51 +113,9 @@ inline double triangle_t(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
 /// Source: Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection".
 inline KernelHit intersect_triangle(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray,
                                     Interval interval) {
-    struct Sheared {
-        float x;
-        float y;
-    };
-    const auto shear = [&ray](Vec3 p) {
-        const auto q = std::bit_cast<std::array<float, 3>>(p - ray.origin_float);
-        const float z = q[static_cast<std::size_t>(ray.kz)];
-        return Sheared{q[static_cast<std::size_t>(ray.kx)] - ray.shear_x * z,
-                       q[static_cast<std::size_t>(ray.ky)] - ray.shear_y * z};
-    };
-    const Sheared sa = shear(a);
-    const Sheared sb = shear(b);
-    const Sheared sc = shear(c);
-    // Twice the signed areas opposite a, b and c. NaN compares false: it is not turned away here.
-    const float area_a = sc.x * sb.y - sc.y * sb.x;
-    const float area_b = sa.x * sc.y - sa.y * sc.x;
-    const float area_c = sb.x * sa.y - sb.y * sa.x;
-    if ((area_a < 0.0f || area_b < 0.0f || area_c < 0.0f) &&
-        (area_a > 0.0f || area_b > 0.0f || area_c > 0.0f)) {
-        return {};
-    }
-    const float sum = area_a + area_b + area_c;
-    const float magnitude = std::fabs(sum);
-    float u = area_b / sum;
-    float v = area_c / sum;
-    if (area_a == 0.0f || area_b == 0.0f || area_c == 0.0f ||
-        !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity)) {
-        const auto area = [](Sheared p, Sheared q) {
-            return static_cast<double>(p.x) * static_cast<double>(q.y) -
-                   static_cast<double>(p.y) * static_cast<double>(q.x);
-        };
-        const double exact_a = area(sc, sb);
-        const double exact_b = area(sa, sc);
-        const double exact_c = area(sb, sa);
-        if ((exact_a < 0.0 || exact_b < 0.0 || exact_c < 0.0) &&
-            (exact_a > 0.0 || exact_b > 0.0 || exact_c > 0.0)) {
-            return {};
-        }
-        const double exact_sum = exact_a + exact_b + exact_c;
-        if (!(exact_sum != 0.0)) return {};
-        u = static_cast<float>(exact_b / exact_sum);
-        v = static_cast<float>(exact_c / exact_sum);
-    }
-    const float t = static_cast<float>(triangle_t(a, b, c, ray));
-    return interval.contains(t) ? KernelHit{t, u, v} : KernelHit{};
+    const EdgeAreas<float> areas =
+        edge_areas<float>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
+    return areas.have_two_signs() ? KernelHit{} : finish_triangle(a, b, c, areas, ray, interval);
 }
 
 }  // namespace lray::bvh

@@ -2,12 +2,19 @@
 // and a shadow exactly where there is a hit. On random worlds that are hard on trees.
 #include <gtest/gtest.h>
 
+#include <hwy/targets.h>
+
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "bvh/accel.h"
+#include "bvh/boxes/box_accel.h"
+#include "bvh/boxes/scalar_walk.h"
 #include "tests/bvh/worlds.h"
 
 namespace lray::bvh {
@@ -110,6 +117,22 @@ void fill_slivers(World& world, Random& random, float scale) {
     }
 }
 
+/// Enough for trees of several levels, and leaves of each kind.
+void fill_with_many(World& world, Random& random, float scale) {
+    for (int i = 0; i < 1500; ++i) {
+        const bool is_common = random.below(3) != 0;
+        const PrimitiveKind common =
+            random.below(2) == 0 ? PrimitiveKind::triangle : PrimitiveKind::sphere;
+        const Vec3 center = random.in_cube(4.0f * scale);
+        const float size = random.uniform(0.02f, 0.4f) * scale;
+        if (is_common) {
+            add_random(world, random, common, center, size);
+        } else {
+            add_random(world, random, center, size);
+        }
+    }
+}
+
 /// Prototypes within prototypes, under any affine map, mirrored and squashed too.
 void fill_with_instances(World& world, Random& random, float scale) {
     const auto any_frame = [&](float size) {
@@ -150,6 +173,7 @@ const std::vector<WorldForm> kForms = {
     {"Uniform", fill_uniform},   {"Triangles", fill_with_triangles}, {"Grid", fill_grid},
     {"Coplanar", fill_coplanar}, {"Duplicates", fill_duplicates},    {"Nested", fill_nested},
     {"Slivers", fill_slivers},   {"Instances", fill_with_instances},
+    {"Many", fill_with_many},
 };
 
 /// Rays from anywhere, some along the axes and through the corners of what is there.
@@ -187,61 +211,159 @@ Ray random_ray(const World& world, Random& random, float scale) {
     }
 }
 
-class SameHits : public testing::TestWithParam<std::tuple<AccelKind, WorldForm, float>> {};
+/// A way to build a hierarchy.
+struct Method {
+    std::string name;
+    std::function<std::unique_ptr<Accel>(const World&)> build;
+};
+
+/// Every hierarchy, and the boxes for each processor that this one can stand in for.
+std::vector<Method> methods() {
+    std::vector<Method> result;
+    result.push_back({"Spheres", [](const World& world) {
+                          return build(world, {.kind = AccelKind::spheres});
+                      }});
+    result.push_back({"BoxesScalar", [](const World& world) {
+                          return make_box_accel(world, BuildQuality::medium, scalar_walks());
+                      }});
+    result.push_back({"BoxesHighScalar", [](const World& world) {
+                          return make_box_accel(world, BuildQuality::high, scalar_walks());
+                      }});
+    for (std::int64_t targets = simd_targets(); targets != 0;
+         targets &= targets - 1) {
+        const std::int64_t target = targets & -targets;
+        result.push_back({std::string("Boxes") + hwy::TargetName(target), [target](const World& world) {
+                              hwy::SetSupportedTargetsForTest(target);
+                              const Walks walks = simd_walks();
+                              hwy::SetSupportedTargetsForTest(0);
+                              return make_box_accel(world, BuildQuality::medium, walks);
+                          }});
+    }
+    return result;
+}
+
+void expect_same(const Hit& found, const Hit& expected, const std::string& where) {
+    ASSERT_EQ(found.primitive_id, expected.primitive_id) << where;
+    ASSERT_EQ(found.place, expected.place) << where;
+    ASSERT_EQ(found.t, expected.t) << where;
+    ASSERT_EQ(found.u, expected.u) << where;
+    ASSERT_EQ(found.v, expected.v) << where;
+}
+
+Interval random_interval(Random& random, float scale) {
+    if (random.below(3) != 0) return {};
+    return {random.uniform(0.0f, 3.0f) * scale, random.uniform(3.0f, 9.0f) * scale};
+}
+
+/// Rays side by side, as a tile of pixels sends them, or to one point, as to a light; a few are
+/// anything else, or no rays.
+std::vector<Ray> random_tile(const World& world, Random& random, float scale) {
+    const Ray middle = random_ray(world, random, scale);
+    const bool is_from_one_point = random.below(2) == 0;
+    const float width = random.below(4) == 0 ? 1.0f : 0.05f;
+    std::vector<Ray> rays;
+    for (int i = 1 + random.below(100); i > 0; --i) {
+        if (random.below(40) == 0) {
+            rays.push_back(random_ray(world, random, scale));
+            if (random.below(2) == 0) rays.back().dir.x = std::numeric_limits<float>::quiet_NaN();
+            continue;
+        }
+        const Vec3 target = middle.origin + middle.dir * (8.0f * scale);
+        const Vec3 aside = random.in_cube(width * scale);
+        const Vec3 origin = is_from_one_point ? middle.origin : middle.origin + aside;
+        const Vec3 way = (is_from_one_point ? target + aside : target) - origin;
+        rays.push_back({origin, way / std::sqrt(dot(way, way))});
+    }
+    return rays;
+}
+
+class SameHits : public testing::TestWithParam<std::tuple<Method, WorldForm, float>> {
+ protected:
+    /// Calls check(world, expected, accel, random, name) for many worlds.
+    template <class Check>
+    static void for_each_world(int world_count, Check check) {
+        const auto& [method, form, scale] = GetParam();
+        for (int i = 0; i < world_count; ++i) {
+            const auto seed = static_cast<std::uint64_t>(i);
+            Random random(seed);
+            World world;
+            form.fill(world, random, scale);
+            if (i % 3 == 0) {  // some are hidden, some cast no shadow
+                for (scene::Object& object : world.objects) {
+                    object.visible = random.below(5) != 0;
+                    object.casts_shadow = random.below(5) != 0;
+                }
+            }
+            const auto expected = build(world, {.kind = AccelKind::none});
+            const auto accel = method.build(world);
+            check(world, *expected, *accel, random, "world " + std::to_string(i) + ", ray ");
+            if (HasFatalFailure()) return;
+        }
+    }
+};
 
 TEST_P(SameHits, AsTestingEverything) {
-    const auto& [kind, form, scale] = GetParam();
+    const float scale = std::get<float>(GetParam());
     constexpr int kWorlds = 60;
     constexpr int kRays = 150;
     int hit_count = 0;
-    for (int i = 0; i < kWorlds; ++i) {
-        const auto seed = static_cast<std::uint64_t>(i);
-        Random random(seed);
-        World world;
-        form.fill(world, random, scale);
-        if (i % 3 == 0) {  // some are hidden, some cast no shadow
-            for (scene::Object& object : world.objects) {
-                object.visible = random.below(5) != 0;
-                object.casts_shadow = random.below(5) != 0;
-            }
-        }
-        const auto expected = build(world, {.kind = AccelKind::none});
-        const auto accel = build(world, {.kind = kind});
+    for_each_world(kWorlds, [&](const World& world, const Accel& expected, const Accel& accel,
+                                Random& random, const std::string& name) {
         for (int k = 0; k < kRays; ++k) {
             const Ray ray = random_ray(world, random, scale);
-            Interval interval;
-            if (k % 3 == 0) {
-                interval = {random.uniform(0.0f, 3.0f) * scale, random.uniform(3.0f, 9.0f) * scale};
-            }
+            const Interval interval = random_interval(random, scale);
             TraceCounts counts;
-            const Hit a = expected->nearest_hit(ray, interval, counts);
-            const Hit b = accel->nearest_hit(ray, interval, counts);
-            ASSERT_EQ(a.primitive_id, b.primitive_id) << "world " << seed << ", ray " << k;
-            ASSERT_EQ(a.place, b.place) << "world " << seed << ", ray " << k;
-            ASSERT_EQ(a.t, b.t) << "world " << seed << ", ray " << k;
-            ASSERT_EQ(a.u, b.u) << "world " << seed << ", ray " << k;
-            ASSERT_EQ(a.v, b.v) << "world " << seed << ", ray " << k;
-            const bool is_shadowed = expected->any_hit(ray, interval, counts);
-            ASSERT_EQ(accel->any_hit(ray, interval, counts), is_shadowed)
-                << "world " << seed << ", ray " << k;
-            if (i % 3 != 0) {
-                ASSERT_EQ(is_shadowed, !a.is_none());
+            const Hit hit = expected.nearest_hit(ray, interval, counts);
+            const std::string where = name + std::to_string(k);
+            ASSERT_NO_FATAL_FAILURE(expect_same(accel.nearest_hit(ray, interval, counts), hit, where));
+            const bool is_shadowed = expected.any_hit(ray, interval, counts);
+            ASSERT_EQ(accel.any_hit(ray, interval, counts), is_shadowed) << where;
+            if (std::ranges::all_of(world.objects, [](const scene::Object& object) {
+                    return object.visible && object.casts_shadow;
+                })) {
+                ASSERT_EQ(is_shadowed, !hit.is_none()) << where;
             }
-            hit_count += a.is_none() ? 0 : 1;
+            hit_count += hit.is_none() ? 0 : 1;
         }
-    }
+    });
     EXPECT_GT(hit_count, kWorlds * kRays / 50);
 }
 
+TEST_P(SameHits, OfManyRaysAtOnce) {
+    const float scale = std::get<float>(GetParam());
+    constexpr int kTiles = 5;
+    int hit_count = 0;
+    for_each_world(30, [&](const World& world, const Accel& expected, const Accel& accel,
+                           Random& random, const std::string& name) {
+        for (int k = 0; k < kTiles; ++k) {
+            const std::vector<Ray> rays = random_tile(world, random, scale);
+            std::vector<Interval> intervals(rays.size());
+            for (Interval& interval : intervals) interval = random_interval(random, scale);
+            std::vector<Hit> hits(rays.size());
+            const auto are_hit = std::make_unique<bool[]>(rays.size());
+            TraceCounts counts;
+            accel.nearest_hits(rays, intervals, hits, counts);
+            accel.any_hits(rays, intervals, {are_hit.get(), rays.size()}, counts);
+            ASSERT_EQ(counts.rays, 2 * rays.size());
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const Hit hit = expected.nearest_hit(rays[i], intervals[i], counts);
+                const std::string where = name + std::to_string(i) + " of tile " + std::to_string(k);
+                ASSERT_NO_FATAL_FAILURE(expect_same(hits[i], hit, where));
+                ASSERT_EQ(are_hit[i], expected.any_hit(rays[i], intervals[i], counts)) << where;
+                hit_count += hit.is_none() ? 0 : 1;
+            }
+        }
+    });
+    EXPECT_GT(hit_count, 100);
+}
+
 std::string name_of(const testing::TestParamInfo<SameHits::ParamType>& info) {
-    const auto& [kind, form, scale] = info.param;
-    const char* const name = kind == AccelKind::spheres ? "Spheres" : "Boxes";
-    return std::string(name) + form.name + (scale < 1.0f ? "Tiny" : scale > 1.0f ? "Huge" : "");
+    const auto& [method, form, scale] = info.param;
+    return method.name + form.name + (scale < 1.0f ? "Tiny" : scale > 1.0f ? "Huge" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, SameHits,
-                         testing::Combine(testing::Values(AccelKind::spheres, AccelKind::boxes),
-                                          testing::ValuesIn(kForms),
+                         testing::Combine(testing::ValuesIn(methods()), testing::ValuesIn(kForms),
                                           testing::Values(1.0f, 1e-6f, 1e6f)),
                          name_of);
 

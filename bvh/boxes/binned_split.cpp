@@ -1,0 +1,141 @@
+#include "bvh/boxes/binned_split.h"
+
+#include <array>
+#include <limits>
+
+#include "bvh/boxes/split_cost.h"
+
+namespace lray::bvh {
+
+namespace {
+
+constexpr int kMaxBinCount = 32;
+
+/// One bin of each axis.
+struct Bin {
+    Box4 box{};
+    std::uint64_t weight = 0;
+};
+using Bins = std::array<std::array<Bin, kMaxBinCount>, 3>;
+
+int bin_count_for(std::uint32_t ref_count, BuildQuality quality) {
+    const int most = quality == BuildQuality::low ? 16 : kMaxBinCount;
+    const int wanted = ref_count < 64 ? 8 : (ref_count < 1024 ? 16 : 32);
+    return wanted < most ? wanted : most;
+}
+
+/// Bins over the centres of a set.
+BinMap make_map(const Box4& centers, int bin_count) {
+    float extent[4];
+    store_four(extent, centers.upper - centers.lower);
+    float scale[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        // The last bin ends a little behind the last centre. Where the quotient is not a number of
+        // use, all centres come to lie in one bin.
+        const float wanted = static_cast<float>(bin_count) * 0.99999f / extent[axis];
+        scale[axis] =
+            extent[axis] > 0.0f && wanted < std::numeric_limits<float>::max() ? wanted : 0.0f;
+    }
+    return {centers.lower, Float4::of(scale[0], scale[1], scale[2]), bin_count};
+}
+
+void fill(Bins& bins, std::span<const BuildRef> refs, const BinMap& map) {
+    const Float4 last = Float4::fill(static_cast<float>(map.bin_count - 1));
+    const Float4 zero = Float4::fill(0.0f);
+    for (const BuildRef& ref : refs) {
+        int index[4];
+        store_whole(index, min(max(map.position(ref), zero), last));
+        const Float4 low = ref.lower();
+        const Float4 high = ref.upper();
+        const std::uint32_t weight = kRefWeights[ref.ref_class()];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Bin& bin = bins[axis][static_cast<std::size_t>(index[axis])];
+            bin.box.add(low, high);
+            bin.weight += weight;
+        }
+    }
+}
+
+/// Finds the cheapest plane between two bins.
+Split sweep(const Bins& bins, const BinMap& map, const Measure& measure) {
+    Split best;
+    best.cost = std::numeric_limits<double>::infinity();
+    best.map = map;
+    const auto bin_count = static_cast<std::size_t>(map.bin_count);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<double, kMaxBinCount> right_cost{};
+        Box4 box;
+        std::uint64_t weight = 0;
+        for (std::size_t i = bin_count; i-- > 1;) {
+            box.add(bins[axis][i].box);
+            weight += bins[axis][i].weight;
+            right_cost[i] = weight > 0 ? measure(box) * block_count(weight)
+                                       : std::numeric_limits<double>::infinity();
+        }
+        box = {};
+        weight = 0;
+        for (std::size_t i = 1; i < bin_count; ++i) {
+            const Bin& bin = bins[axis][i - 1];
+            box.add(bin.box);
+            weight += bin.weight;
+            if (weight == 0) continue;
+            const double cost = measure(box) * block_count(weight) + right_cost[i];
+            if (cost < best.cost) {
+                best.cost = cost;
+                best.kind = SplitKind::bins;
+                best.axis = static_cast<int>(axis);
+                best.first_right_bin = static_cast<int>(i);
+            }
+        }
+    }
+    return best;
+}
+
+std::uint64_t weight_of(std::span<const BuildRef> refs, const RefSet& set) {
+    if (set.summary.is_of_one_class()) {
+        const auto ref_class = static_cast<std::size_t>(set.summary.only_class());
+        return std::uint64_t{set.count()} * kRefWeights[ref_class];
+    }
+    std::uint64_t weight = 0;
+    for (const BuildRef& ref : refs.subspan(set.first, set.count())) {
+        weight += kRefWeights[ref.ref_class()];
+    }
+    return weight;
+}
+
+}  // namespace
+
+bool can_be_leaf(const RefSet& set) {
+    if (!set.summary.is_of_one_class()) return false;
+    const bool has_blocks = set.summary.only_class() <= RefClass::sphere;
+    return set.count() <= (has_blocks ? kMaxLeafCount * kBoxWidth : kMaxLeafCount);
+}
+
+Split find_split(std::span<const BuildRef> refs, const RefSet& set, BuildQuality quality) {
+    const bool is_of_one_class = set.summary.is_of_one_class();
+    const bool has_blocks = is_of_one_class && set.summary.only_class() <= RefClass::sphere;
+    if (set.count() <= (has_blocks ? kBoxWidth : 1)) return {};
+    const double area = half_area(set.summary.box);
+    const Measure measure{!(area > 0.0)};
+    const double size = measure(set.summary.box);
+    Bins bins{};
+    const BinMap map = make_map(set.summary.centers, bin_count_for(set.count(), quality));
+    fill(bins, refs.subspan(set.first, set.count()), map);
+    Split best = sweep(bins, map, measure);
+    const double leaf_cost = size * block_count(weight_of(refs, set));
+    if (!(best.cost + kNodeCost * size < leaf_cost)) {
+        if (can_be_leaf(set)) return {};
+        // The kinds have to part some time.
+        if (!is_of_one_class && set.count() <= kMaxLeafCount * kBoxWidth) {
+            best.kind = SplitKind::by_class;
+            best.cost = leaf_cost;
+        }
+    }
+    if (best.kind == SplitKind::none || !(size > 0.0)) {
+        best.kind = is_of_one_class ? SplitKind::middle : SplitKind::by_class;
+        best.cost = leaf_cost;
+    }
+    return best;
+}
+
+}  // namespace lray::bvh

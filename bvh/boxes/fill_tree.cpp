@@ -1,0 +1,118 @@
+#include "bvh/boxes/fill_tree.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "base/assert.h"
+
+namespace lray::bvh {
+
+namespace {
+
+/// Where each array begins in the arena, and the bytes of all.
+struct Layout {
+    std::size_t triangles = 0;
+    std::size_t spheres = 0;
+    std::size_t list = 0;
+    std::size_t size = 0;
+
+    explicit Layout(const BoxTreeCounts& counts)
+        : triangles(counts.nodes * sizeof(BoxNode)),
+          spheres(triangles + counts.triangle_blocks * sizeof(TriangleBlock)),
+          list(spheres + counts.sphere_blocks * sizeof(SphereBlock)),
+          size(list + counts.listed * sizeof(std::uint32_t)) {}
+};
+
+/// The arrays of a tree while they are written.
+struct Arrays {
+    BoxNode* nodes = nullptr;
+    TriangleBlock* triangles = nullptr;
+    SphereBlock* spheres = nullptr;
+    std::uint32_t* list = nullptr;
+};
+
+Arrays arrays_in(const Arena& arena, const BoxTreeCounts& counts) {
+    const Layout layout(counts);
+    std::byte* const data = arena.data();
+    Arrays arrays;
+    // The memory is mapped as zeros; the structs are trivial.
+    arrays.nodes = reinterpret_cast<BoxNode*>(data);
+    arrays.triangles = reinterpret_cast<TriangleBlock*>(data + layout.triangles);
+    arrays.spheres = reinterpret_cast<SphereBlock*>(data + layout.spheres);
+    arrays.list = reinterpret_cast<std::uint32_t*>(data + layout.list);
+    return arrays;
+}
+
+void fill_block(TriangleBlock& block, const scene::Geometry& geometry,
+                std::span<const BuildRef> refs) {
+    std::ranges::fill(block.ids, kNoLane);
+    for (std::size_t lane = 0; lane < refs.size(); ++lane) {
+        const RefCorners corners = corners_of(geometry, refs[lane]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto row = static_cast<std::size_t>(axis);
+            block.corners[0][row][lane] = corners.a[axis];
+            block.corners[1][row][lane] = corners.b[axis];
+            block.corners[2][row][lane] = corners.c[axis];
+        }
+        block.ids[lane] = refs[lane].id;
+    }
+}
+
+void fill_block(SphereBlock& block, const scene::Geometry& geometry,
+                std::span<const BuildRef> refs) {
+    std::ranges::fill(block.ids, kNoLane);
+    for (std::size_t lane = 0; lane < refs.size(); ++lane) {
+        const std::uint32_t id = refs[lane].id;
+        const scene::Sphere& sphere = geometry.spheres[id & scene::PrimitiveId::kMaxIndex];
+        for (int axis = 0; axis < 3; ++axis) {
+            block.center[static_cast<std::size_t>(axis)][lane] = sphere.center[axis];
+        }
+        block.radius[lane] = sphere.radius;
+        block.ids[lane] = id;
+    }
+}
+
+template <class Block>
+Block* fill_blocks(Block* block, const scene::Geometry& geometry, std::span<const BuildRef> refs) {
+    while (!refs.empty()) {
+        const std::size_t count = std::min<std::size_t>(refs.size(), kBoxWidth);
+        fill_block(*block++, geometry, refs.first(count));
+        refs = refs.subspan(count);
+    }
+    return block;
+}
+
+void fill_leaves(Arrays arrays, const scene::Geometry& geometry, std::span<const BuildRef> refs,
+                 std::span<const GrownLeaf> leaves) {
+    for (const GrownLeaf& leaf : leaves) {
+        const std::span<const BuildRef> members = refs.subspan(leaf.first_ref, leaf.ref_count);
+        switch (leaf.kind) {
+            case BoxChildKind::triangles:
+                arrays.triangles = fill_blocks(arrays.triangles, geometry, members);
+                break;
+            case BoxChildKind::spheres:
+                arrays.spheres = fill_blocks(arrays.spheres, geometry, members);
+                break;
+            case BoxChildKind::list:
+                for (const BuildRef& ref : members) *arrays.list++ = ref.id;
+                break;
+            case BoxChildKind::node:
+                LRAY_ASSERT(leaf.kind != BoxChildKind::node);
+        }
+    }
+}
+
+}  // namespace
+
+BoxTree fill_tree(const scene::Geometry& geometry, std::span<const BuildRef> refs,
+                  const GrownPart& part) {
+    BoxTree tree;
+    tree.arena = Arena(Layout(part.counts).size);
+    const Arrays arrays = arrays_in(tree.arena, part.counts);
+    std::ranges::copy(part.nodes, arrays.nodes);
+    fill_leaves(arrays, geometry, refs, part.leaves);
+    tree.view = {part.root, false, arrays.nodes, arrays.triangles, arrays.spheres, arrays.list};
+    return tree;
+}
+
+}  // namespace lray::bvh

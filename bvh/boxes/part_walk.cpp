@@ -1,0 +1,220 @@
+#include "bvh/boxes/part_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bvh/instance_ray.h"
+#include "bvh/intersect.h"
+#include "bvh/kernels/triangle.h"
+
+namespace lray::bvh {
+
+namespace {
+
+using scene::PrimitiveId;
+using scene::PrimitiveKind;
+
+/// How far the tests of spheres in float are off, in parts of the distances they work with.
+constexpr double kSphereSlack = 0x1p-20;
+
+void prepare_for_spheres(const PreparedRay& ray, WalkRay& result) {
+    const double length = std::sqrt(dot(ray.dir, ray.dir));
+    result.t_per_length = static_cast<float>(1.0 / length);
+    double origin_size = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        result.unit_dir[axis] = static_cast<float>(ray.dir[axis] / length);
+        origin_size += std::fabs(ray.origin[axis]);
+    }
+    result.origin_error = static_cast<float>(origin_size * kSphereSlack);
+}
+
+WalkRay walk_ray(const PreparedRay& ray, const BoxTreeView& tree) {
+    WalkRay result{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        result.origin_near[i] = ray.origin_near[axis];
+        result.origin_far[i] = ray.origin_far[axis];
+        result.inv_dir[i] = ray.inv_dir[axis];
+        result.inv_dir_far[i] = ray.inv_dir_far[axis];
+        result.near_side[i] = ray.inv_dir[axis] < 0.0f ? 1 : 0;
+        result.origin[i] = ray.origin_float[axis];
+    }
+    result.axes[0] = static_cast<std::uint32_t>(ray.kx);
+    result.axes[1] = static_cast<std::uint32_t>(ray.ky);
+    result.axes[2] = static_cast<std::uint32_t>(ray.kz);
+    result.shear_x = ray.shear_x;
+    result.shear_y = ray.shear_y;
+    if (tree.spheres != nullptr) prepare_for_spheres(ray, result);
+    return result;
+}
+
+PrimitiveId id_of(std::uint32_t value) {
+    PrimitiveId id;
+    id.value = value;
+    return id;
+}
+
+Hit meet(const PartWalk& walk, PrimitiveId id) {
+    return intersect(walk.geometry(), id, *walk.prepared, walk.interval);
+}
+
+/// The areas are those that intersect_triangle() would work out again.
+Hit finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
+           const TriangleAreas& areas) {
+    const PrimitiveId id = id_of(block.ids[lane]);
+    if (id.kind() != PrimitiveKind::triangle) return meet(walk, id);
+    const auto corner = [&](std::size_t vertex) {
+        const auto& axes = block.corners[vertex];
+        return Vec3{axes[0][lane], axes[1][lane], axes[2][lane]};
+    };
+    const KernelHit hit =
+        finish_triangle(corner(0), corner(1), corner(2), {areas.a, areas.b, areas.c},
+                        *walk.prepared, walk.interval);
+    return hit.is_none() ? Hit{} : Hit{hit.t, hit.u, hit.v, id};
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+void nearest_in(PartWalk& walk, const scene::WorldInstance& instance) {
+    ++walk.counts->instance_tests;
+    const Interval inside = interval_in(instance, *walk.prepared, walk.interval);
+    if (inside.is_empty()) return;
+    find_nearest(*walk.parts, walk.parts->prototypes[instance.prototype],
+                 walk.place + instance.first_place, ray_in(instance, *walk.prepared), inside,
+                 *walk.best, *walk.counts);
+    walk.narrow();
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
+    ++walk.counts->instance_tests;
+    const Interval inside = interval_in(instance, *walk.prepared, walk.interval);
+    return !inside.is_empty() &&
+           find_any(*walk.parts, walk.parts->prototypes[instance.prototype],
+                    ray_in(instance, *walk.prepared), inside, *walk.counts);
+}
+
+bool nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
+                      const TriangleAreas& areas) {
+    auto& self = static_cast<PartWalk&>(walk);
+    self.keep(finish(self, block, lane, areas));
+    return false;
+}
+
+bool nearest_sphere(Walk& walk, std::uint32_t id) {
+    auto& self = static_cast<PartWalk&>(walk);
+    self.keep(meet(self, id_of(id)));
+    return false;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+bool nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
+    auto& self = static_cast<PartWalk&>(walk);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const PrimitiveId id = id_of(ids[i]);
+        if (id.kind() == PrimitiveKind::instance) {
+            nearest_in(self, self.geometry().instances[id.index()]);
+        } else {
+            ++self.primitive_tests;
+            self.keep(meet(self, id));
+        }
+    }
+    return false;
+}
+
+bool any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
+                  const TriangleAreas& areas) {
+    const auto& self = static_cast<const PartWalk&>(walk);
+    return self.casts_shadow(id_of(block.ids[lane])) && !finish(self, block, lane, areas).is_none();
+}
+
+bool any_sphere(Walk& walk, std::uint32_t value) {
+    const auto& self = static_cast<const PartWalk&>(walk);
+    const PrimitiveId id = id_of(value);
+    return self.casts_shadow(id) && !meet(self, id).is_none();
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+bool any_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
+    auto& self = static_cast<PartWalk&>(walk);
+    return std::any_of(ids, ids + count, [&](std::uint32_t value) {
+        const PrimitiveId id = id_of(value);
+        if (!self.casts_shadow(id)) return false;
+        if (id.kind() == PrimitiveKind::instance) {
+            return any_in(self, self.geometry().instances[id.index()]);
+        }
+        ++self.primitive_tests;
+        return !meet(self, id).is_none();
+    });
+}
+
+constexpr WalkCalls kNearestCalls{nearest_triangle, nearest_sphere, nearest_listed};
+constexpr WalkCalls kAnyCalls{any_triangle, any_sphere, any_listed};
+
+}  // namespace
+
+PartWalk::PartWalk(const BoxParts& the_parts, const BoxPart& the_part, scene::PlaceOffset the_place,
+                   const PreparedRay& the_ray, Interval the_interval, TraceCounts& the_counts)
+    : Walk{walk_ray(the_ray, the_part.tree.view), the_interval.lo, reach_of(the_interval.hi), nullptr, 0, 0},
+      parts(&the_parts),
+      part(&the_part),
+      place(the_place),
+      prepared(&the_ray),
+      interval(the_interval),
+      counts(&the_counts) {}
+
+void PartWalk::seek_nearest(Hit& the_best) {
+    calls = &kNearestCalls;
+    best = &the_best;
+    narrow();
+    for (const PrimitiveId plane : part->tree.planes) {
+        ++primitive_tests;
+        keep(meet(*this, plane));
+    }
+}
+
+bool PartWalk::seek_any() {
+    calls = &kAnyCalls;
+    return std::ranges::any_of(part->tree.planes, [&](PrimitiveId plane) {
+        if (!casts_shadow(plane)) return false;
+        ++primitive_tests;
+        return !meet(*this, plane).is_none();
+    });
+}
+
+void PartWalk::keep(Hit hit) {
+    hit.place = place;
+    if (hit.is_none() || !is_closer(hit, *best)) return;
+    *best = hit;
+    narrow();
+}
+
+void PartWalk::narrow() {
+    if (best->is_none()) return;
+    interval.hi = std::min(interval.hi, next_up(best->t));
+    reach = reach_of(interval.hi);
+}
+
+bool PartWalk::casts_shadow(PrimitiveId id) const {
+    return part->all_cast_shadows || geometry().object(geometry().object_of(id)).casts_shadow;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+void find_nearest(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place,
+                  const PreparedRay& ray, Interval interval, Hit& best, TraceCounts& counts) {
+    PartWalk walk(parts, part, place, ray, interval, counts);
+    walk.seek_nearest(best);
+    parts.walks.nearest(part.tree.view, walk);
+    walk.add_counts();
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
+bool find_any(const BoxParts& parts, const BoxPart& part, const PreparedRay& ray, Interval interval,
+              TraceCounts& counts) {
+    PartWalk walk(parts, part, 0, ray, interval, counts);
+    const bool is_hit = walk.seek_any() || parts.walks.any(part.tree.view, walk);
+    walk.add_counts();
+    return is_hit;
+}
+
+}  // namespace lray::bvh

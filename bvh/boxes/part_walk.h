@@ -1,0 +1,74 @@
+// A ray on its way through the tree of one geometry, and what it does with what it comes upon.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bvh/accel.h"
+#include "bvh/boxes/box_tree.h"
+#include "bvh/prepared_ray.h"
+#include "bvh/simd/walk.h"
+
+namespace lray::bvh {
+
+/// A geometry with its tree.
+struct BoxPart {
+    const scene::Geometry* geometry = nullptr;
+    BoxTree tree{};
+    bool all_cast_shadows = true;
+};
+
+/// The trees of a world, and how they are walked.
+struct BoxParts {
+    Walks walks{};
+    BoxPart world{};
+    std::vector<BoxPart> prototypes{};
+};
+
+/// What all walks of a ray through a world share.
+struct PartWalk : Walk {
+    /// The rays and counts must outlive the walk.
+    PartWalk(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place,
+             const PreparedRay& ray, Interval interval, TraceCounts& counts);
+
+    const BoxParts* parts;
+    const BoxPart* part;
+    scene::PlaceOffset place;
+    const PreparedRay* prepared;
+    Interval interval;
+    TraceCounts* counts;
+    Hit* best = nullptr;  // of a walk to the nearest hit
+
+    /// Sets out for the nearest hit: `best`, if that is nearer, or what becomes the best. Tests the
+    /// planes.
+    void seek_nearest(Hit& the_best);
+
+    /// Sets out for any hit. Returns true if that is a plane.
+    bool seek_any();
+
+    const scene::Geometry& geometry() const { return *part->geometry; }
+
+    /// Adds what the walk cost to the counts. Call once, last.
+    void add_counts() const {
+        counts->node_tests += node_tests;
+        counts->primitive_tests += primitive_tests;
+    }
+
+    /// Keeps a hit if it is the best; then nothing farther counts.
+    void keep(Hit hit);
+
+    /// Takes the interval up to and including the best t: at equal t the lesser place and id win.
+    void narrow();
+
+    bool casts_shadow(scene::PrimitiveId id) const;
+};
+
+/// Finds the nearest hit in a part, if it is nearer than `best`.
+void find_nearest(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place,
+                  const PreparedRay& ray, Interval interval, Hit& best, TraceCounts& counts);
+
+/// Returns whether anything in a part that casts a shadow is hit.
+bool find_any(const BoxParts& parts, const BoxPart& part, const PreparedRay& ray, Interval interval,
+              TraceCounts& counts);
+
+}  // namespace lray::bvh

@@ -1,0 +1,93 @@
+// A stretch of references on its way to become a subtree, and how such a stretch is divided.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "bvh/boxes/build_refs.h"
+
+namespace lray::bvh {
+
+/// The box [lower, upper]; empty when made by default.
+struct Box4 {
+    Float4 lower = Float4::fill(kInfinity);
+    Float4 upper = Float4::fill(-kInfinity);
+
+    void add(Float4 low, Float4 high) {
+        lower = min(lower, low);
+        upper = max(upper, high);
+    }
+    void add(const Box4& other) { add(other.lower, other.upper); }
+};
+
+/// What is known of references before they are divided.
+struct RefSummary {
+    Box4 box{};
+    Box4 centers{};             // of the boxes, times two
+    std::uint32_t classes = 0;  // a bit for each RefClass among them
+
+    void add(const BuildRef& ref) {
+        const Float4 low = ref.lower();
+        const Float4 high = ref.upper();
+        const Float4 center = low + high;
+        box.add(low, high);
+        centers.add(center, center);
+        classes |= 1u << ref.ref_class();
+    }
+    void add(const RefSummary& other) {
+        box.add(other.box);
+        centers.add(other.centers);
+        classes |= other.classes;
+    }
+    bool is_of_one_class() const { return std::has_single_bit(classes); }
+    RefClass only_class() const { return static_cast<RefClass>(std::countr_zero(classes)); }
+};
+
+/// The references [first, last) of the array that a tree is built in.
+struct RefSet {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    RefSummary summary{};
+
+    std::uint32_t count() const { return last - first; }
+};
+
+/// Sums up references.
+RefSummary summarize(std::span<const BuildRef> refs);
+
+/// Where the centre of a box lies among the equally wide bins of each axis.
+struct BinMap {
+    Float4 origin{};
+    Float4 scale{};
+    int bin_count = 0;
+
+    Float4 position(const BuildRef& ref) const {
+        return (ref.lower() + ref.upper() - origin) * scale;
+    }
+};
+
+enum class SplitKind : std::uint8_t {
+    none,      // it becomes a leaf
+    bins,      // by the bins of the centres
+    by_class,  // the first class of those there from the others
+    middle,    // by place in the array, half each
+};
+
+/// How a set is to be divided.
+struct Split {
+    double cost = 0.0;  // of both sides, in tests of blocks times area
+    SplitKind kind = SplitKind::none;
+    int axis = 0;
+    int first_right_bin = 0;
+    BinMap map{};
+};
+
+/// Brings what goes left to the front. Returns both sides; neither is empty.
+struct TwoSets {
+    RefSet left{};
+    RefSet right{};
+};
+TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split);
+
+}  // namespace lray::bvh

@@ -1,0 +1,39 @@
+// What a tree of boxes is expected to cost to trace: the surface-area measure, with triangles and
+// spheres counted in blocks.
+#pragma once
+
+#include <cstdint>
+
+#include "bvh/boxes/box_layout.h"
+#include "bvh/boxes/ref_set.h"
+
+namespace lray::bvh {
+
+/// The cost of looking at a node's children, when that of a block of triangles is 1.
+inline constexpr double kNodeCost = 1.0;
+
+/// Blocks that so much weight (kRefWeights) fills.
+inline double block_count(std::uint64_t weight) {
+    return static_cast<double>((weight + kBoxWidth - 1) / kBoxWidth);
+}
+
+/// In proportion to the chance that a ray which meets something around a box meets the box. In
+/// double no product of two extents leaves the range.
+struct Measure {
+    bool is_length = false;  // where nothing has an area
+
+    double operator()(const Box4& box) const {
+        float extent[4];
+        store_four(extent, box.upper - box.lower);
+        const auto x = static_cast<double>(extent[0]);
+        const auto y = static_cast<double>(extent[1]);
+        const auto z = static_cast<double>(extent[2]);
+        return is_length ? x + y + z : x * y + y * z + z * x;
+    }
+};
+
+inline double half_area(const Box4& box) {
+    return Measure{}(box);
+}
+
+}  // namespace lray::bvh

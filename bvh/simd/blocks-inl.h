@@ -1,0 +1,229 @@
+// The tests of one ray against eight boxes, triangles or spheres, for the processor that
+// HWY_TARGET names. Included once for each: no include guard of the usual kind.
+// The arithmetic of boxes and of the areas of triangles is that of slab.h and of
+// kernels/triangle.h, operation by operation, so that it has the same bits.
+
+#if defined(LRAY_BVH_SIMD_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LRAY_BVH_SIMD_BLOCKS_INL_H
+#undef LRAY_BVH_SIMD_BLOCKS_INL_H
+#else
+#define LRAY_BVH_SIMD_BLOCKS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "bvh/boxes/box_layout.h"
+#include "bvh/simd/walk.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lray::bvh::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, kBoxWidth>;
+using Words = hn::RebindToUnsigned<Floats>;
+using FloatVec = hn::Vec<Floats>;
+using FloatMask = hn::Mask<Floats>;
+
+/// Eight lanes are gone through in steps of so many: processors without wide vectors take two.
+inline constexpr std::uint32_t kStep = static_cast<std::uint32_t>(hn::MaxLanes(Floats()));
+
+HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(Floats(), mask, bits);
+    return bits[0];
+}
+
+/// One axis of a ray, for slabs.
+struct SlabAxis {
+    FloatVec origin_near;
+    FloatVec origin_far;
+    FloatVec inv_dir;
+    FloatVec inv_dir_far;
+    std::size_t near_offset;  // into BoxNode::planes, in floats
+    std::size_t far_offset;
+};
+
+struct SlabRay {
+    SlabAxis x;
+    SlabAxis y;
+    SlabAxis z;
+    FloatVec lo;
+};
+
+HWY_INLINE SlabAxis make_slab_axis(const WalkRay& ray, std::size_t axis) {
+    const Floats d;
+    const std::size_t near_side = ray.near_side[axis];
+    SlabAxis result;
+    result.origin_near = hn::Set(d, ray.origin_near[axis]);
+    result.origin_far = hn::Set(d, ray.origin_far[axis]);
+    result.inv_dir = hn::Set(d, ray.inv_dir[axis]);
+    result.inv_dir_far = hn::Set(d, ray.inv_dir_far[axis]);
+    result.near_offset = (axis * 2 + near_side) * kBoxWidth;
+    result.far_offset = (axis * 2 + 1 - near_side) * kBoxWidth;
+    return result;
+}
+
+HWY_INLINE SlabRay make_slab_ray(const Walk& walk) {
+    SlabRay result;
+    result.x = make_slab_axis(walk.ray, 0);
+    result.y = make_slab_axis(walk.ray, 1);
+    result.z = make_slab_axis(walk.ray, 2);
+    result.lo = hn::Set(Floats(), walk.lo);
+    return result;
+}
+
+HWY_INLINE FloatVec near_of(const SlabAxis& axis, const float* planes) {
+    const FloatVec plane = hn::Load(Floats(), planes + axis.near_offset);
+    return hn::Mul(hn::Sub(plane, axis.origin_near), axis.inv_dir);
+}
+
+HWY_INLINE FloatVec far_of(const SlabAxis& axis, const float* planes) {
+    const FloatVec plane = hn::Load(Floats(), planes + axis.far_offset);
+    return hn::Mul(hn::Sub(plane, axis.origin_far), axis.inv_dir_far);
+}
+
+/// Returns which children the ray is in somewhere between `lo` and `reach`, a bit each, and where
+/// it enters them.
+HWY_INLINE std::uint32_t meet_boxes(const BoxNode& node, const SlabRay& ray, FloatVec reach,
+                                    float* HWY_RESTRICT entries) {
+    const Floats d;
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
+        const float* planes = &node.planes[0][0][0] + i;
+        const FloatVec entry =
+            hn::Max(hn::Max(near_of(ray.x, planes), near_of(ray.y, planes)),
+                    hn::Max(near_of(ray.z, planes), ray.lo));
+        const FloatVec exit = hn::Min(hn::Min(far_of(ray.x, planes), far_of(ray.y, planes)),
+                                      hn::Min(far_of(ray.z, planes), reach));
+        hn::Store(entry, d, entries + i);
+        bits |= bits_of(hn::Le(entry, exit)) << i;
+    }
+    return bits;
+}
+
+/// A ray, for triangles.
+struct ShearRay {
+    FloatVec origin_x;  // along the axes kx, ky, kz
+    FloatVec origin_y;
+    FloatVec origin_z;
+    FloatVec shear_x;
+    FloatVec shear_y;
+    std::size_t axes[3];
+};
+
+HWY_INLINE ShearRay make_shear_ray(const WalkRay& ray) {
+    const Floats d;
+    ShearRay result;
+    result.origin_x = hn::Set(d, ray.origin[ray.axes[0]]);
+    result.origin_y = hn::Set(d, ray.origin[ray.axes[1]]);
+    result.origin_z = hn::Set(d, ray.origin[ray.axes[2]]);
+    result.shear_x = hn::Set(d, ray.shear_x);
+    result.shear_y = hn::Set(d, ray.shear_y);
+    for (std::size_t i = 0; i < 3; ++i) result.axes[i] = ray.axes[i];
+    return result;
+}
+
+struct ShearedCorner {
+    FloatVec x;
+    FloatVec y;
+};
+
+HWY_INLINE ShearedCorner shear(const TriangleBlock& block, std::size_t corner, std::size_t lane,
+                               const ShearRay& ray) {
+    const Floats d;
+    const auto& planes = block.corners[corner];
+    const FloatVec z = hn::Sub(hn::Load(d, planes[ray.axes[2]] + lane), ray.origin_z);
+    const FloatVec x = hn::Sub(hn::Load(d, planes[ray.axes[0]] + lane), ray.origin_x);
+    const FloatVec y = hn::Sub(hn::Load(d, planes[ray.axes[1]] + lane), ray.origin_y);
+    return {hn::Sub(x, hn::Mul(ray.shear_x, z)), hn::Sub(y, hn::Mul(ray.shear_y, z))};
+}
+
+HWY_INLINE FloatVec area_of(const ShearedCorner& p, const ShearedCorner& q) {
+    return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x));
+}
+
+/// Areas by lane. Shape: areas[corner][lane].
+struct alignas(32) BlockAreas {
+    float areas[3][kBoxWidth];
+};
+
+/// Returns which triangles of a block the line of the ray may meet, a bit each: those whose areas
+/// have no two signs, and maybe such as have one that is not a number.
+HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearRay& ray,
+                                        BlockAreas& result, std::uint64_t& tests) {
+    const Floats d;
+    const Words w;
+    const FloatVec zero = hn::Zero(d);
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
+        const ShearedCorner a = shear(block, 0, i, ray);
+        const ShearedCorner b = shear(block, 1, i, ray);
+        const ShearedCorner c = shear(block, 2, i, ray);
+        const FloatVec area_a = area_of(c, b);
+        const FloatVec area_b = area_of(a, c);
+        const FloatVec area_c = area_of(b, a);
+        const FloatVec least = hn::Min(hn::Min(area_a, area_b), area_c);
+        const FloatVec most = hn::Max(hn::Max(area_a, area_b), area_c);
+        const auto has_two_signs = hn::And(hn::Lt(least, zero), hn::Gt(most, zero));
+        const auto is_there =
+            hn::RebindMask(d, hn::Ne(hn::Load(w, block.ids + i), hn::Set(w, kNoLane)));
+        const std::uint32_t there = bits_of(is_there);
+        tests += hwy::PopCount(there);
+        bits |= (there & ~bits_of(has_two_signs)) << i;
+        hn::Store(area_a, d, result.areas[0] + i);
+        hn::Store(area_b, d, result.areas[1] + i);
+        hn::Store(area_c, d, result.areas[2] + i);
+    }
+    return bits;
+}
+
+/// Returns which spheres of a block the ray may meet between `lo` and `reach`, a bit each: none is
+/// missed that sphere.h finds, as the spheres are taken larger by all that float loses.
+HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, const Walk& walk,
+                                      std::uint64_t& tests) {
+    const Floats d;
+    const Words w;
+    constexpr float kSlack = 0x1p-19f;
+    constexpr float kLeast = 0x1p-126f;
+    const WalkRay& ray = walk.ray;
+    const FloatVec dir_x = hn::Set(d, ray.unit_dir[0]);
+    const FloatVec dir_y = hn::Set(d, ray.unit_dir[1]);
+    const FloatVec dir_z = hn::Set(d, ray.unit_dir[2]);
+    const FloatVec t_per_length = hn::Set(d, ray.t_per_length);
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
+        const FloatVec x = hn::Sub(hn::Load(d, block.center[0] + i), hn::Set(d, ray.origin[0]));
+        const FloatVec y = hn::Sub(hn::Load(d, block.center[1] + i), hn::Set(d, ray.origin[1]));
+        const FloatVec z = hn::Sub(hn::Load(d, block.center[2] + i), hn::Set(d, ray.origin[2]));
+        const FloatVec radius = hn::Load(d, block.radius + i);
+        const FloatVec distance = hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Add(hn::Abs(z), radius));
+        const FloatVec larger =
+            hn::Add(radius, hn::Add(hn::Mul(distance, hn::Set(d, kSlack)), hn::Set(d, ray.origin_error)));
+        const FloatVec along =
+            hn::Add(hn::Add(hn::Mul(x, dir_x), hn::Mul(y, dir_y)), hn::Mul(z, dir_z));
+        const FloatVec across_x = hn::Sub(x, hn::Mul(along, dir_x));
+        const FloatVec across_y = hn::Sub(y, hn::Mul(along, dir_y));
+        const FloatVec across_z = hn::Sub(z, hn::Mul(along, dir_z));
+        const FloatVec across = hn::Add(hn::Add(hn::Mul(across_x, across_x), hn::Mul(across_y, across_y)),
+                                        hn::Mul(across_z, across_z));
+        const FloatVec limit = hn::Add(hn::Mul(larger, larger), hn::Set(d, kLeast));
+        const FloatVec entry = hn::Mul(hn::Sub(along, larger), t_per_length);
+        const FloatVec exit = hn::Mul(hn::Add(along, larger), t_per_length);
+        // What is not a number is not left out.
+        const auto is_missed =
+            hn::Or(hn::Gt(across, limit), hn::Or(hn::Gt(entry, hn::Set(d, walk.reach)),
+                                                 hn::Lt(exit, hn::Set(d, walk.lo))));
+        const auto is_there =
+            hn::RebindMask(d, hn::Ne(hn::Load(w, block.ids + i), hn::Set(w, kNoLane)));
+        const std::uint32_t there = bits_of(is_there);
+        tests += hwy::PopCount(there);
+        bits |= (there & ~bits_of(is_missed)) << i;
+    }
+    return bits;
+}
+
+}  // namespace lray::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

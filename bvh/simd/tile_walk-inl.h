@@ -1,0 +1,204 @@
+// Walking a tree with a tile of rays at once, for the processor that HWY_TARGET names. Included
+// once for each. Nodes are tested with bounds of all rays together, each leaf's box with each ray,
+// and what is in the leaf with those rays that pass.
+
+#if defined(LRAY_BVH_SIMD_TILE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LRAY_BVH_SIMD_TILE_WALK_INL_H
+#undef LRAY_BVH_SIMD_TILE_WALK_INL_H
+#else
+#define LRAY_BVH_SIMD_TILE_WALK_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "bvh/simd/leaf-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lray::bvh::HWY_NAMESPACE {
+
+using RayFloats = hn::CappedTag<float, 16>;
+using RayVec = hn::Vec<RayFloats>;
+inline constexpr std::uint32_t kRayStep = static_cast<std::uint32_t>(hn::MaxLanes(RayFloats()));
+
+/// The least and the greatest of one axis of all rays of a tile. Rounding keeps the order of
+/// numbers: what holds for a product of bounds holds for the products of the rays.
+struct TileAxis {
+    FloatVec origin_near;  // that from which planes are entered first
+    FloatVec origin_far;   // that from which planes are left last
+    FloatVec inv_dir_least;
+    FloatVec inv_dir_most;
+    FloatVec inv_dir_far_least;
+    FloatVec inv_dir_far_most;
+    std::size_t near_offset;
+    std::size_t far_offset;
+};
+
+HWY_INLINE RayVec least_of(const float* values, std::uint32_t count) {
+    const RayFloats d;
+    RayVec result = hn::Load(d, values);
+    for (std::uint32_t i = kRayStep; i < count; i += kRayStep) {
+        result = hn::Min(result, hn::Load(d, values + i));
+    }
+    return hn::MinOfLanes(d, result);
+}
+
+HWY_INLINE RayVec most_of(const float* values, std::uint32_t count) {
+    const RayFloats d;
+    RayVec result = hn::Load(d, values);
+    for (std::uint32_t i = kRayStep; i < count; i += kRayStep) {
+        result = hn::Max(result, hn::Load(d, values + i));
+    }
+    return hn::MaxOfLanes(d, result);
+}
+
+HWY_INLINE FloatVec spread(RayVec value) {
+    return hn::Set(Floats(), hn::GetLane(value));
+}
+
+HWY_INLINE TileAxis make_tile_axis(const Tile& tile, std::size_t axis, std::uint32_t count) {
+    const bool is_negative = tile.near_side[axis] != 0;
+    TileAxis result;
+    result.origin_near = spread(is_negative ? least_of(tile.origin_near[axis], count)
+                                            : most_of(tile.origin_near[axis], count));
+    result.origin_far = spread(is_negative ? most_of(tile.origin_far[axis], count)
+                                           : least_of(tile.origin_far[axis], count));
+    result.inv_dir_least = spread(least_of(tile.inv_dir[axis], count));
+    result.inv_dir_most = spread(most_of(tile.inv_dir[axis], count));
+    result.inv_dir_far_least = spread(least_of(tile.inv_dir_far[axis], count));
+    result.inv_dir_far_most = spread(most_of(tile.inv_dir_far[axis], count));
+    result.near_offset = (axis * 2 + tile.near_side[axis]) * kBoxWidth;
+    result.far_offset = (axis * 2 + 1 - tile.near_side[axis]) * kBoxWidth;
+    return result;
+}
+
+HWY_INLINE FloatVec near_of(const TileAxis& axis, const float* planes) {
+    const FloatVec way = hn::Sub(hn::Load(Floats(), planes + axis.near_offset), axis.origin_near);
+    return hn::Min(hn::Mul(way, axis.inv_dir_least), hn::Mul(way, axis.inv_dir_most));
+}
+
+HWY_INLINE FloatVec far_of(const TileAxis& axis, const float* planes) {
+    const FloatVec way = hn::Sub(hn::Load(Floats(), planes + axis.far_offset), axis.origin_far);
+    return hn::Max(hn::Mul(way, axis.inv_dir_far_least), hn::Mul(way, axis.inv_dir_far_most));
+}
+
+struct TileBounds {
+    TileAxis x;
+    TileAxis y;
+    TileAxis z;
+    FloatVec lo;
+};
+
+/// Returns which children any of the rays may be in, a bit each, and where the first enters them.
+HWY_INLINE std::uint32_t meet_boxes(const BoxNode& node, const TileBounds& bounds, FloatVec reach,
+                                    float* HWY_RESTRICT entries) {
+    const Floats d;
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
+        const float* planes = &node.planes[0][0][0] + i;
+        const FloatVec entry =
+            hn::Max(hn::Max(near_of(bounds.x, planes), near_of(bounds.y, planes)),
+                    hn::Max(near_of(bounds.z, planes), bounds.lo));
+        const FloatVec exit = hn::Min(hn::Min(far_of(bounds.x, planes), far_of(bounds.y, planes)),
+                                      hn::Min(far_of(bounds.z, planes), reach));
+        hn::Store(entry, d, entries + i);
+        bits |= bits_of(hn::Le(entry, exit)) << i;
+    }
+    return bits;
+}
+
+/// Returns which rays are in one box, a bit each: each as meet_boxes() with that ray would.
+HWY_INLINE std::uint64_t rays_in(const float* planes, const Tile& tile, std::uint32_t count) {
+    const RayFloats d;
+    std::uint64_t bits = 0;
+    RayVec near_plane[3];
+    RayVec far_plane[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        near_plane[axis] = hn::Set(d, planes[(axis * 2 + tile.near_side[axis]) * kBoxWidth]);
+        far_plane[axis] = hn::Set(d, planes[(axis * 2 + 1 - tile.near_side[axis]) * kBoxWidth]);
+    }
+    for (std::uint32_t i = 0; i < count; i += kRayStep) {
+        RayVec entry = hn::Load(d, tile.lo + i);
+        RayVec exit = hn::Load(d, tile.reach + i);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const RayVec near = hn::Sub(near_plane[axis], hn::Load(d, tile.origin_near[axis] + i));
+            const RayVec far = hn::Sub(far_plane[axis], hn::Load(d, tile.origin_far[axis] + i));
+            entry = hn::Max(entry, hn::Mul(near, hn::Load(d, tile.inv_dir[axis] + i)));
+            exit = hn::Min(exit, hn::Mul(far, hn::Load(d, tile.inv_dir_far[axis] + i)));
+        }
+        std::uint8_t mask[8] = {};
+        hn::StoreMaskBits(d, hn::Le(entry, exit), mask);
+        const std::uint64_t met = mask[0] | static_cast<std::uint64_t>(mask[1]) << 8;
+        bits |= met << i;
+    }
+    return bits;
+}
+
+/// Of a ray whose walk was ended: it is in no box any more.
+inline constexpr float kNoReach = -0x1p127f;
+
+/// A child that waits, where the first ray enters it, and its box in its node.
+struct TileWaiting {
+    const float* planes;  // null: the root, which every ray is taken to be in
+    BoxChild child;
+    float entry;
+};
+
+template <bool is_ordered>
+HWY_INLINE void walk_tile(const BoxTreeView& tree, Tile& tile) {
+    if (tree.is_empty || tile.active == 0) return;
+    const std::uint32_t last = 63u - static_cast<std::uint32_t>(hwy::Num0BitsAboveMS1Bit_Nonzero64(tile.active));
+    const std::uint32_t count = (last / kRayStep + 1) * kRayStep;
+    TileBounds bounds;
+    bounds.x = make_tile_axis(tile, 0, count);
+    bounds.y = make_tile_axis(tile, 1, count);
+    bounds.z = make_tile_axis(tile, 2, count);
+    bounds.lo = spread(least_of(tile.lo, count));
+    FloatVec reach = spread(most_of(tile.reach, count));
+    TileWaiting stack[kMaxWaiting];
+    TileWaiting* top = stack;
+    *top++ = {nullptr, tree.root, hn::GetLane(bounds.lo)};
+    while (top != stack) {
+        const TileWaiting current = *--top;
+        if (current.entry > hn::GetLane(reach)) continue;
+        if (current.child < kMaxBoxNodes) {
+            ++tile.node_tests;
+            const BoxNode& node = tree.nodes[current.child];
+            alignas(32) float entries[kBoxWidth];
+            std::uint32_t bits = meet_boxes(node, bounds, reach, entries);
+            TileWaiting* const bottom = top;
+            while (bits != 0) {
+                const auto next = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+                bits &= bits - 1;
+                const TileWaiting entered = {&node.planes[0][0][0] + next, node.children[next], entries[next]};
+                TileWaiting* k = top++;
+                while (k > bottom && k[-1].entry < entered.entry) {
+                    *k = k[-1];
+                    --k;
+                }
+                *k = entered;
+            }
+            continue;
+        }
+        std::uint64_t rays = tile.active;
+        if (current.planes != nullptr) rays &= rays_in(current.planes, tile, count);
+        if (rays == 0) continue;
+        do {
+            const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
+            rays &= rays - 1;
+            Walk& walk = *tile.walks[ray];
+            if (meet_leaf(tree, current.child, make_shear_ray(walk.ray), walk)) {
+                tile.active &= ~(std::uint64_t{1} << ray);
+                tile.reach[ray] = kNoReach;
+            } else if (is_ordered) {
+                tile.reach[ray] = walk.reach;
+            }
+        } while (rays != 0);
+        if (tile.active == 0) return;
+        reach = spread(most_of(tile.reach, count));
+    }
+}
+
+}  // namespace lray::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

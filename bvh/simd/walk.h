@@ -1,0 +1,103 @@
+// Walking a tree of boxes with one ray: what the walks for each processor and their scalar twin
+// have in common. Plain structs and pointers: code compiled for one processor must not emit a
+// function that code for another might be linked to.
+#pragma once
+
+#include <cstdint>
+
+#include "bvh/boxes/box_layout.h"
+
+namespace lray::bvh {
+
+/// Each node on the way down leaves at most all its children but one waiting.
+inline constexpr std::uint32_t kMaxWaiting = kMaxBoxDepth * (kBoxWidth - 1) + 1;
+
+/// Of a PreparedRay what boxes and blocks are tested with.
+struct WalkRay {
+    // Slabs, by axis (slab.h).
+    float origin_near[3];
+    float origin_far[3];
+    float inv_dir[3];
+    float inv_dir_far[3];
+    std::uint32_t near_side[3];  // of BoxNode::planes
+
+    // Triangles: the axes kx, ky, kz and the shear (prepared_ray.h).
+    float origin[3];
+    std::uint32_t axes[3];
+    float shear_x;
+    float shear_y;
+
+    // Spheres, where the tree has any: the direction made unit, and how far apart t is on it.
+    float unit_dir[3];
+    float t_per_length;
+    float origin_error;  // of the distance of anything from `origin`
+};
+
+/// Twice the signed areas opposite the corners a, b and c of a triangle that the ray may meet.
+struct TriangleAreas {
+    float a;
+    float b;
+    float c;
+};
+
+struct Walk;
+
+/// What becomes of what a walk comes upon. Each is told when the ray may meet the primitive, and
+/// returns true to end the walk. They may lower Walk::reach.
+struct WalkCalls {
+    bool (*meet_triangle)(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
+                          const TriangleAreas& areas);
+    bool (*meet_sphere)(Walk& walk, std::uint32_t id);
+    bool (*meet_listed)(Walk& walk, const std::uint32_t* ids, std::uint32_t count);
+};
+
+/// One ray on its way through one tree.
+struct Walk {
+    WalkRay ray;
+    float lo;
+    float reach;  // what is entered beyond it cannot hold a hit that counts: reach_of(hi)
+    const WalkCalls* calls;
+    std::uint64_t node_tests;
+    std::uint64_t primitive_tests;
+};
+
+/// The most rays that walk together: a bit of 64 each.
+inline constexpr std::uint32_t kMaxTileRays = 64;
+
+/// Rays that walk one tree together, because they run close to each other: their directions have
+/// the same signs. Shape: lists by ray are [axis][ray]; rays past the last have reach -infinity.
+struct alignas(64) Tile {
+    // As in WalkRay.
+    float origin_near[3][kMaxTileRays];
+    float origin_far[3][kMaxTileRays];
+    float inv_dir[3][kMaxTileRays];
+    float inv_dir_far[3][kMaxTileRays];
+    float lo[kMaxTileRays];
+    float reach[kMaxTileRays];  // kept as those of `walks` by who walks
+    std::uint32_t near_side[3];
+
+    Walk* walks[kMaxTileRays];
+    std::uint64_t active;  // a bit for each ray; those whose walk was ended are taken out
+    std::uint64_t node_tests;
+};
+
+/// Comes upon everything that the ray meets in front of `lo` and by `reach`. Returns true if a call
+/// ended it.
+/// nearest: enters the nearest child first. any: in no particular order, for calls that end the walk
+/// at the first hit.
+struct Walks {
+    bool (*nearest)(const BoxTreeView& tree, Walk& walk);
+    bool (*any)(const BoxTreeView& tree, Walk& walk);
+    void (*nearest_tile)(const BoxTreeView& tree, Tile& tile);
+    void (*any_tile)(const BoxTreeView& tree, Tile& tile);
+    const char* name;
+};
+
+/// Those for the processors that Highway's targets are and that this processor can stand in for,
+/// a bit each.
+std::int64_t simd_targets();
+
+/// The walks for the best of them.
+Walks simd_walks();
+
+}  // namespace lray::bvh

@@ -10,7 +10,7 @@
 namespace lray::bvh {
 
 /// The cost of looking at a node's children, when that of a block of triangles is 1.
-inline constexpr double kNodeCost = 1.0;
+inline constexpr double kNodeCost = 0.2;
 
 /// Blocks that so much weight (kRefWeights) fills.
 inline double block_count(std::uint64_t weight) {

@@ -38,7 +38,7 @@ double wall_seconds_of(tbb::task_arena& arena, const Work& work) {
 /// Arithmetic without memory, cut into pieces as the rays are: what the machine gives two threads
 /// at best while others use it, too.
 void calibrate(std::atomic<std::uint64_t>& sink) {
-    constexpr int kPieces = 1024;
+    constexpr int kPieces = 256;
     constexpr std::uint64_t kSteps = 100'000;
     tbb::parallel_for(tbb::blocked_range<int>(0, kPieces), [&](const auto& range) {
         for (int piece = range.begin(); piece < range.end(); ++piece) {

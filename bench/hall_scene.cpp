@@ -23,7 +23,7 @@ constexpr double kArchRadius = 0.3;
 constexpr int kColumnsPerRow = 8;
 constexpr double kColumnStep = kHall.x / kColumnsPerRow;
 constexpr int kCableCount = 290;
-constexpr int kCableSegments = 8;
+constexpr int kCableSegments = 4;
 constexpr int kCableSides = 6;
 
 std::uint32_t add_vertex(scene::World& world, DVec3 point) {
@@ -83,7 +83,7 @@ void add_walls(scene::World& world) {
 }
 
 void add_column(scene::World& world, double x, double z) {
-    constexpr int kRings = 160;
+    constexpr int kRings = 167;
     std::vector<DVec3> path;
     for (int i = 0; i <= kRings; ++i) path.push_back({x, kColumnHeight * i / kRings, z});
     add_tube(world, path, kColumnRadius, 64);

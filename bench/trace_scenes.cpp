@@ -1,6 +1,7 @@
 #include "bench/trace_scenes.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -1,5 +1,7 @@
 // How fast rays are traced, and hierarchies built, beside Embree.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -17,6 +19,7 @@
 #include "bench/trace_scenes.h"
 #include "bench/trace_side.h"
 #include "bench/trace_table.h"
+#include "bvh/simd/walk.h"
 
 namespace {
 
@@ -53,11 +56,16 @@ constexpr double kEnoughSeconds = 2.0;
 /// Distances further apart than this, in parts of them, are different hits.
 constexpr float kSameDistance = 1e-4f;
 
+constexpr std::array<std::string_view, 3> kQualities{"low", "medium", "high"};
+
+std::string_view quality_name(bvh::BuildQuality quality) {
+    return kQualities[static_cast<std::size_t>(quality)];
+}
+
 bool is_quality(std::string_view word, bvh::BuildOptions& options) {
-    if (word == "low") options.quality = bvh::BuildQuality::low;
-    if (word == "medium") options.quality = bvh::BuildQuality::medium;
-    if (word == "high") options.quality = bvh::BuildQuality::high;
-    return word == "low" || word == "medium" || word == "high";
+    const auto found = std::find(kQualities.begin(), kQualities.end(), word);
+    options.quality = static_cast<bvh::BuildQuality>(found - kQualities.begin());
+    return found != kQualities.end();
 }
 
 bool is_accel(std::string_view word, bvh::BuildOptions& options) {
@@ -179,6 +187,8 @@ SceneResult measure_scene(const TraceScene& scene, const Options& options) {
 
 int measure_all(const Options& options) {
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    fmt::print("one thread, best of {}, {} quality; boxes are walked with {}\n\n",
+               options.repeat_count, quality_name(options.build.quality), bvh::simd_walks().name);
     std::vector<SceneResult> results;
     bool are_alike = true;
     for (const std::string& name : options.scenes) {

@@ -76,9 +76,7 @@ Vec3 LraySide::normal_at(const Ray& ray, const bvh::Hit& hit) const {
     if (hit.primitive_id.kind() == scene::PrimitiveKind::sphere) {
         return ray.origin + hit.t * ray.dir - world_.spheres[index].center;
     }
-    const auto& [a, b, c] = world_.triangles[index].vertices;
-    const Vec3 corner = world_.vertices[a];
-    return cross(world_.vertices[b] - corner, world_.vertices[c] - corner);
+    return hit.normal;
 }
 
 std::vector<float> LraySide::distances() const {

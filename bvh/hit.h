@@ -7,13 +7,16 @@
 namespace lray::bvh {
 
 /// t is +infinity and the id none when nothing was hit. u and v are the primitive's own surface
-/// parameters (docstring of each kernel).
+/// parameters (docstring of each kernel). `normal` is the geometric normal of triangles and
+/// rectangles, as long as twice the area of the triangle met, in the space of the geometry that
+/// holds the primitive; 0 of other kinds, whose normal surface_at() works out.
 struct Hit {
     float t = kInfinity;
     float u = 0.0f;
     float v = 0.0f;
     scene::PrimitiveId primitive_id{};
     scene::PlaceOffset place = 0;  // of the geometry that holds the primitive
+    Vec3 normal{0.0f};
 
     bool is_none() const { return primitive_id.is_none(); }
 };

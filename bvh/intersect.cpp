@@ -41,7 +41,7 @@ Hit intersect(const scene::Geometry& geometry, scene::PrimitiveId id, const Prep
               Interval interval) {
     const KernelHit hit = dispatch(geometry, id, ray, interval);
     if (hit.is_none()) return {};
-    return {hit.t, hit.u, hit.v, id};
+    return {.t = hit.t, .u = hit.u, .v = hit.v, .primitive_id = id, .normal = hit.normal};
 }
 
 }  // namespace lray::bvh

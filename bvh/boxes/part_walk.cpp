@@ -38,12 +38,14 @@ PrimitiveId id_of(std::uint32_t value) {
 }
 
 Hit meet(const PartWalk& walk, PrimitiveId id) {
-    return intersect(walk.geometry(), id, *walk.prepared, walk.interval);
+    Hit hit = intersect(walk.geometry(), id, *walk.prepared, walk.interval);
+    hit.place = walk.place;
+    return hit;
 }
 
-/// The areas are those that intersect_triangle() would work out again.
+/// What was found is what intersect_triangle() would work out again.
 Hit finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
-           const TriangleAreas& areas) {
+           const TriangleFind& find) {
     const PrimitiveId id = id_of(block.ids[lane]);
     if (id.kind() != PrimitiveKind::triangle) return meet(walk, id);
     const auto corner = [&](std::size_t vertex) {
@@ -51,9 +53,9 @@ Hit finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
         return Vec3{axes[0][lane], axes[1][lane], axes[2][lane]};
     };
     const KernelHit hit =
-        finish_triangle(corner(0), corner(1), corner(2), {areas.a, areas.b, areas.c},
-                        *walk.prepared, walk.interval);
-    return hit.is_none() ? Hit{} : Hit{hit.t, hit.u, hit.v, id};
+        finish_triangle(corner(0), corner(1), corner(2), {find.area_a, find.area_b, find.area_c},
+                        {find.entry, find.exit}, *walk.prepared, walk.interval);
+    return {hit.t, hit.u, hit.v, hit.is_none() ? PrimitiveId{} : id, walk.place, hit.normal};
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
@@ -77,9 +79,9 @@ bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
 }
 
 bool nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                      const TriangleAreas& areas) {
+                      const TriangleFind& find) {
     auto& self = static_cast<PartWalk&>(walk);
-    self.keep(finish(self, block, lane, areas));
+    self.keep(finish(self, block, lane, find));
     return false;
 }
 
@@ -105,9 +107,9 @@ bool nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
 }
 
 bool any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                  const TriangleAreas& areas) {
+                  const TriangleFind& find) {
     const auto& self = static_cast<const PartWalk&>(walk);
-    return self.casts_shadow(id_of(block.ids[lane])) && !finish(self, block, lane, areas).is_none();
+    return self.casts_shadow(id_of(block.ids[lane])) && !finish(self, block, lane, find).is_none();
 }
 
 bool any_sphere(Walk& walk, std::uint32_t value) {
@@ -166,8 +168,7 @@ bool PartWalk::seek_any() {
     });
 }
 
-void PartWalk::keep(Hit hit) {
-    hit.place = place;
+void PartWalk::keep(const Hit& hit) {
     if (hit.is_none() || !is_closer(hit, *best)) return;
     *best = hit;
     narrow();

@@ -55,7 +55,7 @@ struct PartWalk : Walk {
     }
 
     /// Keeps a hit if it is the best; then nothing farther counts.
-    void keep(Hit hit);
+    void keep(const Hit& hit);
 
     /// Takes the interval up to and including the best t: at equal t the lesser place and id win.
     void narrow();

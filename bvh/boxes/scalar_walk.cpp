@@ -51,17 +51,37 @@ float area_of(Corner p, Corner q) {
     return p.x * q.y - p.y * q.x;
 }
 
+/// triangle_stretch() of kernels/triangle.h. Returns whether the ray is in the box somewhere
+/// between `lo` and `reach`.
+bool enter_box(const TriangleBlock& block, std::uint32_t lane, const Walk& walk, TriangleFind& find) {
+    const FloatRay& ray = *walk.ray;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto [least, most] =
+            std::minmax({block.corners[0][axis][lane], block.corners[1][axis][lane],
+                         block.corners[2][axis][lane]});
+        const bool is_upper_near = ray.near_side[axis] != 0;
+        const float near =
+            ((is_upper_near ? most : least) - ray.origin_near[axis]) * ray.inv_dir[axis];
+        const float far =
+            ((is_upper_near ? least : most) - ray.origin_far[axis]) * ray.inv_dir_far[axis];
+        find.entry = axis == 0 || near > find.entry ? near : find.entry;
+        find.exit = axis == 0 || far < find.exit ? far : find.exit;
+    }
+    return find.entry <= find.exit && find.entry <= walk.reach && find.exit >= walk.lo;
+}
+
 bool meet_triangles(const TriangleBlock& block, Walk& walk) {
     for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
         ++walk.primitive_tests;
         const Corner a = shear(block, 0, lane, *walk.ray);
         const Corner b = shear(block, 1, lane, *walk.ray);
         const Corner c = shear(block, 2, lane, *walk.ray);
-        const TriangleAreas areas{area_of(c, b), area_of(a, c), area_of(b, a)};
-        const bool has_negative = areas.a < 0.0f || areas.b < 0.0f || areas.c < 0.0f;
-        const bool has_positive = areas.a > 0.0f || areas.b > 0.0f || areas.c > 0.0f;
+        TriangleFind find{area_of(c, b), area_of(a, c), area_of(b, a), 0.0f, 0.0f};
+        const bool has_negative = find.area_a < 0.0f || find.area_b < 0.0f || find.area_c < 0.0f;
+        const bool has_positive = find.area_a > 0.0f || find.area_b > 0.0f || find.area_c > 0.0f;
         if (has_negative && has_positive) continue;
-        if (walk.calls->meet_triangle(walk, block, lane, areas)) return true;
+        if (!enter_box(block, lane, walk, find)) continue;
+        if (walk.calls->meet_triangle(walk, block, lane, find)) return true;
     }
     return false;
 }

@@ -13,6 +13,7 @@ struct KernelHit {
     float t = kInfinity;
     float u = 0.0f;
     float v = 0.0f;
+    Vec3 normal{0.0f};  // of triangles and rectangles: Hit::normal
 
     bool is_none() const { return !(t < kInfinity); }
 };
@@ -41,7 +42,7 @@ inline KernelHit first_in(const Crossings& crossings, Interval interval) {
     for (int i = 0; i < crossings.count; ++i) {
         const Crossing& crossing = crossings.values[static_cast<std::size_t>(i)];
         const float t = static_cast<float>(crossing.t);
-        if (interval.contains(t)) return {t, static_cast<float>(crossing.part), 0.0f};
+        if (interval.contains(t)) return {.t = t, .u = static_cast<float>(crossing.part)};
     }
     return {};
 }

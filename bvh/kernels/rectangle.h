@@ -13,9 +13,9 @@ inline KernelHit intersect_rectangle(const scene::Rectangle& rectangle, const Pr
     const auto& [p00, p10, p11, p01] = rectangle.corners;
     const KernelHit lower = intersect_triangle(p00, p10, p11, ray, interval);
     const KernelHit upper = intersect_triangle(p00, p11, p01, ray, interval);
-    if (upper.t < lower.t) return {upper.t, upper.u, upper.u + upper.v};
+    if (upper.t < lower.t) return {upper.t, upper.u, upper.u + upper.v, upper.normal};
     if (lower.is_none()) return {};
-    return {lower.t, lower.u + lower.v, lower.v};
+    return {lower.t, lower.u + lower.v, lower.v, lower.normal};
 }
 
 }  // namespace lray::bvh

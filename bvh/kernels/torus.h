@@ -282,7 +282,7 @@ inline std::optional<double> torus_crossing(const scene::Torus& torus, const Pre
 inline KernelHit intersect_torus(const scene::Torus& torus, const PreparedRay& ray,
                                  Interval interval) {
     const auto t = torus_crossing(torus, ray, interval);
-    return t ? KernelHit{static_cast<float>(*t), 0.0f, 0.0f} : KernelHit{};
+    return t ? KernelHit{.t = static_cast<float>(*t)} : KernelHit{};
 }
 
 }  // namespace lray::bvh

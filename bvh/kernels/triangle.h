@@ -20,27 +20,34 @@ struct TrianglePlane {
         : edge_b(DVec3{b} - DVec3{a}), edge_c(DVec3{c} - DVec3{a}), normal(cross(edge_b, edge_c)) {}
 };
 
-/// Returns t where the ray meets the plane of the triangle, kept within the stretch of the ray in
-/// the triangle's box: seen edge-on, the plane alone may say anything. NaN when the ray is parallel
-/// to the plane, the triangle has no area, or the ray misses the box: then the sheared vertices are
-/// far off, as the ray passes much closer to one end of a long triangle than to the other.
+/// Returns the stretch of the ray in the triangle's box.
+inline Stretch triangle_stretch(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
+    const auto least = [](float p, float q, float r) {
+        const float pq = q < p ? q : p;
+        return r < pq ? r : pq;
+    };
+    const auto most = [](float p, float q, float r) {
+        const float pq = q > p ? q : p;
+        return r > pq ? r : pq;
+    };
+    const Bounds box{{least(a.x, b.x, c.x), least(a.y, b.y, c.y), least(a.z, b.z, c.z)},
+                     {most(a.x, b.x, c.x), most(a.y, b.y, c.y), most(a.z, b.z, c.z)}};
+    return stretch_in(box, ray);
+}
+
+/// Returns t where the ray meets the plane of a triangle, kept within the stretch of the ray in the
+/// triangle's box, which is not empty: seen edge-on, the plane alone may say anything. NaN when the
+/// ray is parallel to the plane or the triangle has no area.
 /// In double, so that the side of the plane a ray begins on is known to the error bound that
 /// surface_at() gives; float would find a ray that leaves the triangle on it again (pbrt 4th ed.,
 /// 6.8.7, rejects such hits by a bound on t, and real ones with them).
-inline double triangle_t(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    Bounds box;
-    box.add(a);
-    box.add(b);
-    box.add(c);
-    const Stretch stretch = stretch_in(box, ray);
-    const double least = static_cast<double>(stretch.entry * kEntryFactor);
-    const double most = static_cast<double>(stretch.exit);
-    if (!(stretch.entry <= stretch.exit)) return kNone;
-    const TrianglePlane plane(a, b, c);
+inline double triangle_t(Vec3 a, const TrianglePlane& plane, const Stretch& stretch,
+                         const PreparedRay& ray) {
+    const auto least = static_cast<double>(stretch.entry * kEntryFactor);
+    const auto most = static_cast<double>(stretch.exit);
     const double slope = dot(plane.normal, ray.dir);
-    if (slope == 0.0) return kNone;
-    const double t = dot(plane.normal, DVec3{a} - ray.origin) / slope;
+    const double t = slope != 0.0 ? dot(plane.normal, DVec3{a} - ray.origin) / slope
+                                  : std::numeric_limits<double>::quiet_NaN();
     return t < least ? least : (t > most ? most : t);
 }
 
@@ -79,26 +86,30 @@ EdgeAreas<Number> edge_areas(ShearedCorner a, ShearedCorner b, ShearedCorner c) 
     return {area(c, b), area(a, c), area(b, a)};
 }
 
-/// Returns the hit of a triangle whose areas do not have two signs: intersect_triangle()'s second
-/// half.
+/// Returns the hit of a triangle whose areas do not have two signs and in whose box the ray is for
+/// a stretch: intersect_triangle()'s second half.
 inline KernelHit finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>& areas,
-                                 const PreparedRay& ray, Interval interval) {
+                                 const Stretch& stretch, const PreparedRay& ray,
+                                 Interval interval) {
     const float sum = areas.a + areas.b + areas.c;
     const float magnitude = std::fabs(sum);
-    const bool is_exact = areas.a != 0.0f && areas.b != 0.0f && areas.c != 0.0f &&
-                          magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity;
     EdgeAreas<double> exact;
     double exact_sum = 0.0;
-    if (!is_exact) {
+    const bool is_inexact = areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
+                            !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity);
+    if (is_inexact) {
         exact = edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
         if (exact.have_two_signs()) return {};
         exact_sum = exact.a + exact.b + exact.c;
         if (!(exact_sum != 0.0)) return {};
     }
-    const float t = static_cast<float>(triangle_t(a, b, c, ray));
+    const TrianglePlane plane(a, b, c);
+    const auto t = static_cast<float>(triangle_t(a, plane, stretch, ray));
     if (!interval.contains(t)) return {};
-    if (is_exact) return {t, areas.b / sum, areas.c / sum};
-    return {t, static_cast<float>(exact.b / exact_sum), static_cast<float>(exact.c / exact_sum)};
+    const Vec3 normal{plane.normal};
+    if (!is_inexact) return {t, areas.b / sum, areas.c / sum, normal};
+    return {t, static_cast<float>(exact.b / exact_sum), static_cast<float>(exact.c / exact_sum),
+            normal};
 }
 
 /// Returns the hit on either side of the triangle; u and v are the barycentric coordinates of b
@@ -113,7 +124,12 @@ inline KernelHit intersect_triangle(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& r
                                     Interval interval) {
     const EdgeAreas<float> areas =
         edge_areas<float>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
-    return areas.have_two_signs() ? KernelHit{} : finish_triangle(a, b, c, areas, ray, interval);
+    if (areas.have_two_signs()) return {};
+    // Missed, if the sheared vertices are far off: the ray passes much closer to one end of a long
+    // triangle than to the other.
+    const Stretch stretch = triangle_stretch(a, b, c, ray);
+    if (!(stretch.entry <= stretch.exit)) return {};
+    return finish_triangle(a, b, c, areas, stretch, ray, interval);
 }
 
 }  // namespace lray::bvh

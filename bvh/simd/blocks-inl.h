@@ -142,15 +142,66 @@ HWY_INLINE FloatVec area_of(const ShearedCorner& p, const ShearedCorner& q) {
     return hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x));
 }
 
-/// Areas by lane. Shape: areas[corner][lane].
-struct alignas(32) BlockAreas {
-    float areas[3][kBoxWidth];
+HWY_INLINE FloatVec least_corner(const TriangleBlock& block, std::size_t axis, std::size_t lane) {
+    const Floats d;
+    return hn::Min(hn::Min(hn::Load(d, block.corners[0][axis] + lane),
+                           hn::Load(d, block.corners[1][axis] + lane)),
+                   hn::Load(d, block.corners[2][axis] + lane));
+}
+
+HWY_INLINE FloatVec most_corner(const TriangleBlock& block, std::size_t axis, std::size_t lane) {
+    const Floats d;
+    return hn::Max(hn::Max(hn::Load(d, block.corners[0][axis] + lane),
+                           hn::Load(d, block.corners[1][axis] + lane)),
+                   hn::Load(d, block.corners[2][axis] + lane));
+}
+
+/// What TriangleFind holds, by lane.
+struct alignas(32) BlockFinds {
+    float area_a[kBoxWidth];
+    float area_b[kBoxWidth];
+    float area_c[kBoxWidth];
+    float entry[kBoxWidth];
+    float exit[kBoxWidth];
 };
 
-/// Returns which triangles of a block the line of the ray may meet, a bit each: those whose areas
-/// have no two signs, and maybe such as have one that is not a number.
+/// Of the lanes of `bits` returns those in whose triangle's box the ray is somewhere between `lo`
+/// and `reach`.
+HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const Walk& walk,
+                                             std::uint32_t bits, BlockFinds& finds) {
+    const Floats d;
+    const FloatRay& ray = *walk.ray;
+    std::uint32_t met = 0;
+    for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
+        FloatVec entry = hn::Zero(d);
+        FloatVec exit = hn::Zero(d);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const FloatVec least = least_corner(block, axis, i);
+            const FloatVec most = most_corner(block, axis, i);
+            const bool is_upper_near = ray.near_side[axis] != 0;
+            const FloatVec near = is_upper_near ? most : least;
+            const FloatVec far = is_upper_near ? least : most;
+            const FloatVec near_t =
+                hn::Mul(hn::Sub(near, hn::Set(d, ray.origin_near[axis])), hn::Set(d, ray.inv_dir[axis]));
+            const FloatVec far_t =
+                hn::Mul(hn::Sub(far, hn::Set(d, ray.origin_far[axis])), hn::Set(d, ray.inv_dir_far[axis]));
+            entry = axis == 0 ? near_t : hn::Max(entry, near_t);
+            exit = axis == 0 ? far_t : hn::Min(exit, far_t);
+        }
+        hn::Store(entry, d, finds.entry + i);
+        hn::Store(exit, d, finds.exit + i);
+        const auto is_met = hn::And(hn::Le(entry, hn::Min(exit, hn::Set(d, walk.reach))),
+                                    hn::Ge(exit, hn::Set(d, walk.lo)));
+        met |= bits_of(is_met) << i;
+    }
+    return met & bits;
+}
+
+/// Returns which triangles of a block the ray may meet between `lo` and `reach`, a bit each: those
+/// whose areas have no two signs (and maybe such as have one that is not a number), and in whose
+/// box it is.
 HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearRay& ray,
-                                        BlockAreas& result, std::uint64_t& tests) {
+                                        Walk& walk, BlockFinds& finds) {
     const Floats d;
     const Words w;
     const FloatVec zero = hn::Zero(d);
@@ -168,19 +219,18 @@ HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearR
         const auto is_there =
             hn::RebindMask(d, hn::Ne(hn::Load(w, block.ids + i), hn::Set(w, kNoLane)));
         const std::uint32_t there = bits_of(is_there);
-        tests += hwy::PopCount(there);
+        walk.primitive_tests += hwy::PopCount(there);
         bits |= (there & ~bits_of(has_two_signs)) << i;
-        hn::Store(area_a, d, result.areas[0] + i);
-        hn::Store(area_b, d, result.areas[1] + i);
-        hn::Store(area_c, d, result.areas[2] + i);
+        hn::Store(area_a, d, finds.area_a + i);
+        hn::Store(area_b, d, finds.area_b + i);
+        hn::Store(area_c, d, finds.area_c + i);
     }
-    return bits;
+    return bits == 0 ? 0 : meet_triangle_boxes(block, walk, bits, finds);
 }
 
 /// Returns which spheres of a block the ray may meet between `lo` and `reach`, a bit each: none is
 /// missed that sphere.h finds, as the spheres are taken larger by all that float loses.
-HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, const Walk& walk,
-                                      std::uint64_t& tests) {
+HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, Walk& walk) {
     const Floats d;
     const Words w;
     constexpr float kSlack = 0x1p-19f;
@@ -217,7 +267,7 @@ HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, const Walk& walk
         const auto is_there =
             hn::RebindMask(d, hn::Ne(hn::Load(w, block.ids + i), hn::Set(w, kNoLane)));
         const std::uint32_t there = bits_of(is_there);
-        tests += hwy::PopCount(there);
+        walk.primitive_tests += hwy::PopCount(there);
         bits |= (there & ~bits_of(is_missed)) << i;
     }
     return bits;

@@ -23,14 +23,14 @@ HWY_NOINLINE bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearR
     if (kind == BoxChildKind::triangles) {
         for (std::uint32_t i = first; i < first + count; ++i) {
             const TriangleBlock& block = tree.triangles[i];
-            BlockAreas block_areas;
-            std::uint32_t bits = meet_triangles(block, shear_ray, block_areas, walk.primitive_tests);
+            BlockFinds finds;
+            std::uint32_t bits = meet_triangles(block, shear_ray, walk, finds);
             while (bits != 0) {
                 const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
                 bits &= bits - 1;
-                const TriangleAreas areas = {block_areas.areas[0][lane], block_areas.areas[1][lane],
-                                             block_areas.areas[2][lane]};
-                if (walk.calls->meet_triangle(walk, block, lane, areas)) return true;
+                const TriangleFind find = {finds.area_a[lane], finds.area_b[lane],
+                                           finds.area_c[lane], finds.entry[lane], finds.exit[lane]};
+                if (walk.calls->meet_triangle(walk, block, lane, find)) return true;
             }
         }
         return false;
@@ -38,7 +38,7 @@ HWY_NOINLINE bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearR
     if (kind == BoxChildKind::spheres) {
         for (std::uint32_t i = first; i < first + count; ++i) {
             const SphereBlock& block = tree.spheres[i];
-            std::uint32_t bits = meet_spheres(block, walk, walk.primitive_tests);
+            std::uint32_t bits = meet_spheres(block, walk);
             while (bits != 0) {
                 const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
                 bits &= bits - 1;

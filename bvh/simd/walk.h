@@ -21,11 +21,14 @@ struct SphereRay {
     float origin_error;  // of the distance of anything from the origin
 };
 
-/// Twice the signed areas opposite the corners a, b and c of a triangle that the ray may meet.
-struct TriangleAreas {
-    float a;
-    float b;
-    float c;
+/// A triangle that the ray may meet: twice the signed areas opposite its corners, and the stretch
+/// of the ray in its box.
+struct TriangleFind {
+    float area_a;
+    float area_b;
+    float area_c;
+    float entry;
+    float exit;
 };
 
 struct Walk;
@@ -34,7 +37,7 @@ struct Walk;
 /// returns true to end the walk. They may lower Walk::reach.
 struct WalkCalls {
     bool (*meet_triangle)(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                          const TriangleAreas& areas);
+                          const TriangleFind& find);
     bool (*meet_sphere)(Walk& walk, std::uint32_t id);
     bool (*meet_listed)(Walk& walk, const std::uint32_t* ids, std::uint32_t count);
 };

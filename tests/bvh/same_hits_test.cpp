@@ -248,6 +248,9 @@ void expect_same(const Hit& found, const Hit& expected, const std::string& where
     ASSERT_EQ(found.t, expected.t) << where;
     ASSERT_EQ(found.u, expected.u) << where;
     ASSERT_EQ(found.v, expected.v) << where;
+    ASSERT_EQ(found.normal.x, expected.normal.x) << where;
+    ASSERT_EQ(found.normal.y, expected.normal.y) << where;
+    ASSERT_EQ(found.normal.z, expected.normal.z) << where;
 }
 
 Interval random_interval(Random& random, float scale) {

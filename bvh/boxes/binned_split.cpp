@@ -150,7 +150,9 @@ bool can_be_leaf(const RefSet& set) {
     return set.count() <= (has_blocks ? kMaxLeafCount * kBoxWidth : kMaxLeafCount);
 }
 
-Split find_split(std::span<const BuildRef> refs, const RefSet& set, BuildQuality quality) {
+Split find_split(const scene::Geometry& geometry, std::span<const BuildRef> refs, const RefSet& set,
+                 BuildQuality quality) {
+    (void)geometry;
     const bool is_of_one_class = set.summary.is_of_one_class();
     const bool has_blocks = is_of_one_class && set.summary.only_class() <= RefClass::sphere;
     if (set.count() <= (has_blocks ? kBoxWidth : 1)) return {};
@@ -161,7 +163,7 @@ Split find_split(std::span<const BuildRef> refs, const RefSet& set, BuildQuality
     const Bins bins = fill(refs.subspan(set.first, set.count()), map);
     Split best = sweep(bins, map, measure);
     const double leaf_cost = size * block_count(weight_of(refs, set));
-    if (!(best.cost + kNodeCost * size < leaf_cost)) {
+    if (!(best.cost < leaf_cost)) {
         if (can_be_leaf(set)) return {};
         // The kinds have to part some time.
         if (!is_of_one_class && set.count() <= kMaxLeafCount * kBoxWidth) {

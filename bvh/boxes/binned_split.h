@@ -11,7 +11,8 @@ namespace lray::bvh {
 /// Chooses how to divide a set. SplitKind::none when it is better, and possible, to make a leaf of
 /// it. Sets that no plane divides are halved.
 /// Source: Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies", sec. 3.
-Split find_split(std::span<const BuildRef> refs, const RefSet& set, BuildQuality quality);
+Split find_split(const scene::Geometry& geometry, std::span<const BuildRef> refs, const RefSet& set,
+                 BuildQuality quality);
 
 /// Leaves hold one class, and not too many.
 bool can_be_leaf(const RefSet& set);

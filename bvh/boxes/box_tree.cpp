@@ -2,9 +2,10 @@
 
 #include <utility>
 
+#include "bvh/boxes/binary_tree.h"
 #include "bvh/boxes/build_refs.h"
+#include "bvh/boxes/collapse_tree.h"
 #include "bvh/boxes/fill_tree.h"
-#include "bvh/boxes/grow_tree.h"
 #include "bvh/boxes/ref_set.h"
 #include "bvh/boxes/split_cost.h"
 
@@ -17,8 +18,9 @@ BoxTree build_box_tree(const scene::Geometry& geometry, BuildQuality quality) {
     BoxTree tree;
     if (refs.count > 0) {
         const double area = half_area(summarize(refs.used()).box);
-        GrownPart grown = grow_tree(refs.used(), quality);
-        tree = fill_tree(geometry, refs.all(), grown);
+        WidePart whole =
+            collapse_tree(build_binary_tree(geometry, refs.all(), refs.count, quality));
+        tree = fill_tree(geometry, refs.all(), whole);
         tree.stats.cost = area > 0.0 ? tree.stats.cost / area : 0.0;
     }
     tree.planes = std::move(refs.planes);

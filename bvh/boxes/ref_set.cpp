@@ -114,13 +114,28 @@ Sides partition_set(std::span<BuildRef> refs, IsLeft is_left) {
                                         : partition_in_shares(refs, is_left);
 }
 
+/// Shares the room behind a divided set between its sides.
+TwoSets two_sets(std::span<BuildRef> refs, const RefSet& set, std::uint32_t left_count,
+                 const RefSummary& left, const RefSummary& right) {
+    const std::uint32_t middle = set.first + left_count;
+    const std::uint64_t room = set.end - set.last;
+    const auto left_room = static_cast<std::uint32_t>(room * left_count / set.count());
+    if (left_room > 0) {
+        // The order on the right is no matter: as few as need to make way.
+        const std::uint32_t moved = std::min(left_room, set.last - middle);
+        std::copy_n(refs.begin() + middle, moved, refs.begin() + set.last + left_room - moved);
+    }
+    return {{set.first, middle, middle + left_room, left},
+            {middle + left_room, set.last + left_room, set.end, right}};
+}
+
 TwoSets divide_in_middle(std::span<BuildRef> refs, const RefSet& set) {
     // Blocks on the left are full.
     const std::uint32_t half = (set.count() / 2 + kBoxWidth - 1) / kBoxWidth * kBoxWidth;
     const std::uint32_t left_count = half < set.count() ? half : set.count() / 2;
     const std::uint32_t middle = set.first + left_count;
-    return {{set.first, middle, summarize(refs.subspan(set.first, left_count))},
-            {middle, set.last, summarize(refs.subspan(middle, set.last - middle))}};
+    return two_sets(refs, set, left_count, summarize(refs.subspan(set.first, left_count)),
+                    summarize(refs.subspan(middle, set.last - middle)));
 }
 
 }  // namespace
@@ -155,8 +170,8 @@ TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split) 
         });
     }
     LRAY_ASSERT(sides.left_count > 0 && sides.left_count < set.count());
-    const std::uint32_t middle = set.first + static_cast<std::uint32_t>(sides.left_count);
-    return {{set.first, middle, sides.left}, {middle, set.last, sides.right}};
+    return two_sets(refs, set, static_cast<std::uint32_t>(sides.left_count), sides.left,
+                    sides.right);
 }
 
 }  // namespace lray::bvh

@@ -44,10 +44,12 @@ struct RefSummary {
     RefClass only_class() const { return static_cast<RefClass>(std::countr_zero(classes)); }
 };
 
-/// The references [first, last) of the array that a tree is built in.
+/// The references [first, last) of the array that a tree is built in; up to `end` it is room for
+/// more.
 struct RefSet {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
+    std::uint32_t end = 0;
     RefSummary summary{};
 
     std::uint32_t count() const { return last - first; }

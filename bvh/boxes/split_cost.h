@@ -10,11 +10,18 @@
 namespace lray::bvh {
 
 /// The cost of looking at a node's children, when that of a block of triangles is 1.
-inline constexpr double kNodeCost = 1.0;
+inline constexpr double kNodeCost = 0.5;
+
+/// That of coming to a leaf, beside its blocks.
+inline constexpr double kLeafCost = 0.2;
 
 /// Blocks that so much weight (kRefWeights) fills.
 inline double block_count(std::uint64_t weight) {
     return static_cast<double>((weight + kBoxWidth - 1) / kBoxWidth);
+}
+
+inline double leaf_cost(std::uint64_t weight) {
+    return kLeafCost + block_count(weight);
 }
 
 /// In proportion to the chance that a ray which meets something around a box meets the box. In

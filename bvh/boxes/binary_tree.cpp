@@ -12,6 +12,7 @@
 #include "base/assert.h"
 #include "bvh/boxes/binned_split.h"
 #include "bvh/boxes/box_tree.h"
+#include "bvh/boxes/spatial_split.h"
 #include "bvh/boxes/split_cost.h"
 
 namespace lray::bvh {
@@ -35,8 +36,7 @@ struct Subtree {
 
 class Builder {
  public:
-    Builder(const scene::Geometry& geometry, std::span<BuildRef> refs, BuildQuality quality)
-        : geometry_(geometry), refs_(refs), quality_(quality) {}
+    Builder(const SplitRules& rules, std::span<BuildRef> refs) : rules_(rules), refs_(refs) {}
 
     BinaryTree run(const RefSet& all) {
         BinaryTree tree;
@@ -53,7 +53,7 @@ class Builder {
         node.box = set.summary.box;
         node.first = set.first;
         node.last = set.last;
-        const double area = half_area(set.summary.box);
+        const double area = rules_.measure(set.summary.box);
         const double leaf_cost = cost_of_leaf(set, area);
         Subtree result{&node, {}};
         const Split split = choose_split(set, depth);
@@ -62,7 +62,7 @@ class Builder {
             result.costs.fill(leaf_cost);
             return result;
         }
-        const TwoSets sides = divide(refs_, set, split);
+        const TwoSets sides = divide_set(set, split);
         Subtree left;
         Subtree right;
         if (set.count() >= kTaskCount) {
@@ -77,7 +77,10 @@ class Builder {
         result.costs = share_slots(node, left.costs, right.costs);
         const double inner_cost = result.costs[0] + area * kNodeCost;
         node.is_leaf = leaf_cost <= inner_cost;
-        if (node.is_leaf) node.ref_class = set.summary.only_class();
+        if (node.is_leaf) {
+            node.ref_class = set.summary.only_class();
+            if (set.end > set.last) gather(node);
+        }
         result.costs[1] = std::min(leaf_cost, inner_cost);
         for (std::size_t slots = 2; slots < kBoxWidth; ++slots) {
             if (result.costs[slots] < result.costs[slots - 1]) continue;
@@ -85,6 +88,37 @@ class Builder {
             node.left_slots &= ~(15u << 4 * (slots - 2));
         }
         return result;
+    }
+
+    TwoSets divide_set(const RefSet& set, const Split& split) const {
+        if (split.kind != SplitKind::cut) return divide(refs_, set, split);
+        const TwoSets sides = divide_by_cut(rules_.geometry, refs_, set, split);
+        if (sides.left.count() > 0 && sides.right.count() > 0) return sides;
+        // All have come to lie on one side, and nothing was cut.
+        return divide(refs_, set, Split{.kind = SplitKind::middle});
+    }
+
+    /// Brings the references of a leaf that was divided together again, from where the room between
+    /// them is; those of the same triangle, cut in two below, become one.
+    void gather(const BinaryNode& leaf) const {
+        BuildRef* const begin = refs_.data() + leaf.first;
+        BuildRef* end = begin;
+        append(*leaf.left, end);
+        append(*leaf.right, end);
+        const auto key = [](const BuildRef& ref) { return std::pair(ref.id, ref.tag); };
+        std::ranges::sort(begin, end, {}, key);
+        end = std::ranges::unique(begin, end, {}, key).begin();
+        LRAY_ASSERT(end - begin == static_cast<std::ptrdiff_t>(leaf.count()));
+    }
+
+    // NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most
+    void append(const BinaryNode& node, BuildRef*& end) const {
+        if (node.is_leaf) {
+            end = std::copy_n(refs_.data() + node.first, node.count(), end);
+        } else {
+            append(*node.left, end);
+            append(*node.right, end);
+        }
     }
 
     /// Infinite for what has to be divided.
@@ -98,7 +132,7 @@ class Builder {
         // Halving it from here on has to end in time.
         const auto levels = static_cast<std::uint32_t>(std::bit_width(set.count()));
         if (depth + levels + kSpareLevels < kMaxBoxDepth) {
-            return find_split(geometry_, refs_, set, quality_);
+            return find_split(rules_, refs_, set);
         }
         Split split;
         if (!can_be_leaf(set)) {
@@ -131,9 +165,8 @@ class Builder {
         return costs;
     }
 
-    const scene::Geometry& geometry_;
+    const SplitRules& rules_;
     std::span<BuildRef> refs_;
-    BuildQuality quality_;
     tbb::enumerable_thread_specific<BinaryNodes> nodes_{};
 };
 
@@ -155,7 +188,8 @@ BinaryTree build_binary_tree(const scene::Geometry& geometry, std::span<BuildRef
     LRAY_ASSERT(count > 0);
     const RefSet all{0, count, static_cast<std::uint32_t>(refs.size()),
                      summarize(refs.first(count))};
-    return Builder(geometry, refs, quality).run(all);
+    const SplitRules rules{geometry, quality, Measure(all.summary.box)};
+    return Builder(rules, refs).run(all);
 }
 
 }  // namespace lray::bvh

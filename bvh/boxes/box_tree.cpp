@@ -11,10 +11,17 @@
 
 namespace lray::bvh {
 
+namespace {
+
+/// Of the references of a geometry, how many may be added by cutting.
+constexpr double kRoomForParts = 0.5;
+
+}  // namespace
+
 /// While it works it needs 32 bytes a reference beside what the tree keeps, and about a tenth of
 /// that for the nodes that are not yet in their place.
 BoxTree build_box_tree(const scene::Geometry& geometry, BuildQuality quality) {
-    BuildRefs refs = make_build_refs(geometry, 0.0);
+    BuildRefs refs = make_build_refs(geometry, quality == BuildQuality::high ? kRoomForParts : 0.0);
     BoxTree tree;
     if (refs.count > 0) {
         const double area = half_area(summarize(refs.used()).box);

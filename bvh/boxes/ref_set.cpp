@@ -5,6 +5,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -114,31 +115,30 @@ Sides partition_set(std::span<BuildRef> refs, IsLeft is_left) {
                                         : partition_in_shares(refs, is_left);
 }
 
-/// Shares the room behind a divided set between its sides.
-TwoSets two_sets(std::span<BuildRef> refs, const RefSet& set, std::uint32_t left_count,
-                 const RefSummary& left, const RefSummary& right) {
-    const std::uint32_t middle = set.first + left_count;
-    const std::uint64_t room = set.end - set.last;
-    const auto left_room = static_cast<std::uint32_t>(room * left_count / set.count());
-    if (left_room > 0) {
-        // The order on the right is no matter: as few as need to make way.
-        const std::uint32_t moved = std::min(left_room, set.last - middle);
-        std::copy_n(refs.begin() + middle, moved, refs.begin() + set.last + left_room - moved);
-    }
-    return {{set.first, middle, middle + left_room, left},
-            {middle + left_room, set.last + left_room, set.end, right}};
-}
-
 TwoSets divide_in_middle(std::span<BuildRef> refs, const RefSet& set) {
     // Blocks on the left are full.
     const std::uint32_t half = (set.count() / 2 + kBoxWidth - 1) / kBoxWidth * kBoxWidth;
     const std::uint32_t left_count = half < set.count() ? half : set.count() / 2;
     const std::uint32_t middle = set.first + left_count;
-    return two_sets(refs, set, left_count, summarize(refs.subspan(set.first, left_count)),
-                    summarize(refs.subspan(middle, set.last - middle)));
+    return share_room(refs, set, left_count, summarize(refs.subspan(set.first, left_count)),
+                      summarize(refs.subspan(middle, set.last - middle)));
 }
 
 }  // namespace
+
+BinMap make_bin_map(const Box4& range, int bin_count) {
+    float extent[4];
+    store_four(extent, range.upper - range.lower);
+    float scale[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        // The last bin ends a little behind the range. Where the quotient is not a number of use,
+        // all comes to lie in one bin.
+        const float wanted = static_cast<float>(bin_count) * 0.99999f / extent[axis];
+        scale[axis] =
+            extent[axis] > 0.0f && wanted < std::numeric_limits<float>::max() ? wanted : 0.0f;
+    }
+    return {range.lower, Float4::of(scale[0], scale[1], scale[2]), bin_count};
+}
 
 RefSummary summarize(std::span<const BuildRef> refs) {
     const auto add = [refs](const tbb::blocked_range<std::size_t>& range, RefSummary summary) {
@@ -153,8 +153,22 @@ RefSummary summarize(std::span<const BuildRef> refs) {
     });
 }
 
+TwoSets share_room(std::span<BuildRef> refs, const RefSet& set, std::uint32_t left_count,
+                   const RefSummary& left, const RefSummary& right) {
+    const std::uint32_t middle = set.first + left_count;
+    const std::uint64_t room = set.end - set.last;
+    const auto left_room = static_cast<std::uint32_t>(room * left_count / set.count());
+    if (left_room > 0) {
+        // The order on the right is no matter: as few as need to make way.
+        const std::uint32_t moved = std::min(left_room, set.last - middle);
+        std::copy_n(refs.begin() + middle, moved, refs.begin() + set.last + left_room - moved);
+    }
+    return {{set.first, middle, middle + left_room, left},
+            {middle + left_room, set.last + left_room, set.end, right}};
+}
+
 TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split) {
-    LRAY_ASSERT(split.kind != SplitKind::none && set.count() >= 2);
+    LRAY_ASSERT(split.kind != SplitKind::none && split.kind != SplitKind::cut && set.count() >= 2);
     if (split.kind == SplitKind::middle) return divide_in_middle(refs, set);
     const std::span<BuildRef> members = refs.subspan(set.first, set.count());
     Sides sides;
@@ -170,8 +184,8 @@ TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split) 
         });
     }
     LRAY_ASSERT(sides.left_count > 0 && sides.left_count < set.count());
-    return two_sets(refs, set, static_cast<std::uint32_t>(sides.left_count), sides.left,
-                    sides.right);
+    return share_room(refs, set, static_cast<std::uint32_t>(sides.left_count), sides.left,
+                      sides.right);
 }
 
 }  // namespace lray::bvh

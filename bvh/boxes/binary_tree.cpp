@@ -77,10 +77,7 @@ class Builder {
         result.costs = share_slots(node, left.costs, right.costs);
         const double inner_cost = result.costs[0] + area * kNodeCost;
         node.is_leaf = leaf_cost <= inner_cost;
-        if (node.is_leaf) {
-            node.ref_class = set.summary.only_class();
-            if (set.end > set.last) gather(node);
-        }
+        if (node.is_leaf) node.ref_class = set.summary.only_class();
         result.costs[1] = std::min(leaf_cost, inner_cost);
         for (std::size_t slots = 2; slots < kBoxWidth; ++slots) {
             if (result.costs[slots] < result.costs[slots - 1]) continue;
@@ -96,29 +93,6 @@ class Builder {
         if (sides.left.count() > 0 && sides.right.count() > 0) return sides;
         // All have come to lie on one side, and nothing was cut.
         return divide(refs_, set, Split{.kind = SplitKind::middle});
-    }
-
-    /// Brings the references of a leaf that was divided together again, from where the room between
-    /// them is; those of the same triangle, cut in two below, become one.
-    void gather(const BinaryNode& leaf) const {
-        BuildRef* const begin = refs_.data() + leaf.first;
-        BuildRef* end = begin;
-        append(*leaf.left, end);
-        append(*leaf.right, end);
-        const auto key = [](const BuildRef& ref) { return std::pair(ref.id, ref.tag); };
-        std::ranges::sort(begin, end, {}, key);
-        end = std::ranges::unique(begin, end, {}, key).begin();
-        LRAY_ASSERT(end - begin == static_cast<std::ptrdiff_t>(leaf.count()));
-    }
-
-    // NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most
-    void append(const BinaryNode& node, BuildRef*& end) const {
-        if (node.is_leaf) {
-            end = std::copy_n(refs_.data() + node.first, node.count(), end);
-        } else {
-            append(*node.left, end);
-            append(*node.right, end);
-        }
     }
 
     /// Infinite for what has to be divided.

@@ -26,7 +26,7 @@ BoxTree build_box_tree(const scene::Geometry& geometry, BuildQuality quality) {
     if (refs.count > 0) {
         const double area = half_area(summarize(refs.used()).box);
         WidePart whole =
-            collapse_tree(build_binary_tree(geometry, refs.all(), refs.count, quality));
+            collapse_tree(build_binary_tree(geometry, refs.all(), refs.count, quality), refs.all());
         tree = fill_tree(geometry, refs.all(), whole);
         tree.stats.cost = area > 0.0 ? tree.stats.cost / area : 0.0;
     }

@@ -58,6 +58,8 @@ struct Children {
 
 class Collapser {
  public:
+    explicit Collapser(std::span<BuildRef> refs) : refs_(refs) {}
+
     /// Makes what is below a node: of large ones by a task for each child.
     // NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most
     WidePart run(const BinaryNode& root, std::uint32_t depth) {
@@ -88,7 +90,8 @@ class Collapser {
         tbb::parallel_for(
             std::size_t{0}, children.count,
             [&](std::size_t lane) {
-                part_.branches[lane] = {lane, Collapser().run(*children.nodes[lane], depth + 1)};
+                part_.branches[lane] = {lane,
+                                        Collapser(refs_).run(*children.nodes[lane], depth + 1)};
             },
             tbb::simple_partitioner{});
         return 0;
@@ -110,6 +113,7 @@ class Collapser {
     }
 
     BoxChild make_leaf_of(const BinaryNode& node) {
+        if (node.left != nullptr) gather(node);
         const BoxChildKind kind = leaf_kind(node.ref_class);
         const std::uint32_t size = leaf_size(kind, node.count());
         std::uint32_t& next = part_.counts.of(kind);
@@ -134,13 +138,43 @@ class Collapser {
         }
     }
 
+    /// Brings the references of a leaf that was divided before it became one together again; those
+    /// of the same triangle, cut in two below, become one.
+    void gather(const BinaryNode& leaf) {
+        BuildRef* const begin = refs_.data() + leaf.first;
+        BuildRef* end = begin;
+        append(leaf, end);
+        if (static_cast<std::size_t>(end - begin) == leaf.count()) return;
+        const auto key = [](const BuildRef& ref) { return std::pair(ref.id, ref.tag); };
+        std::ranges::sort(begin, end, {}, key);
+        end = std::ranges::unique(begin, end, {}, key).begin();
+        LRAY_ASSERT(static_cast<std::size_t>(end - begin) == leaf.count());
+    }
+
+    /// Moves references to the front only: what is divided lies in the stretch of its parent.
+    // NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most
+    void append(const BinaryNode& node, BuildRef*& end) {
+        if (node.left != nullptr) {
+            append(*node.left, end);
+            append(*node.right, end);
+            return;
+        }
+        const BuildRef* const from = refs_.data() + node.first;
+        if (from == end) {
+            end += node.count();
+        } else {
+            end = std::copy_n(from, node.count(), end);
+        }
+    }
+
+    std::span<BuildRef> refs_;
     WidePart part_{};
 };
 
 }  // namespace
 
-WidePart collapse_tree(const BinaryTree& tree) {
-    return Collapser().run(*tree.root, 1);
+WidePart collapse_tree(const BinaryTree& tree, std::span<BuildRef> refs) {
+    return Collapser(refs).run(*tree.root, 1);
 }
 
 }  // namespace lray::bvh

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bvh/boxes/binary_tree.h"
@@ -61,7 +62,8 @@ struct WideBranch {
     WidePart part{};
 };
 
-/// Makes the wide tree that is cheapest by the costs that the binary tree was built with.
-WidePart collapse_tree(const BinaryTree& tree);
+/// Makes the wide tree that is cheapest by the costs that the binary tree was built with. Brings
+/// the references of each leaf together, where there was room between them.
+WidePart collapse_tree(const BinaryTree& tree, std::span<BuildRef> refs);
 
 }  // namespace lray::bvh

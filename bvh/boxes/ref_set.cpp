@@ -11,6 +11,7 @@
 
 #include "base/assert.h"
 #include "bvh/boxes/box_layout.h"
+#include "bvh/boxes/split_cost.h"
 
 namespace lray::bvh {
 
@@ -156,9 +157,12 @@ RefSummary summarize(std::span<const BuildRef> refs) {
 TwoSets share_room(std::span<BuildRef> refs, const RefSet& set, std::uint32_t left_count,
                    const RefSummary& left, const RefSummary& right) {
     const std::uint32_t middle = set.first + left_count;
-    const std::uint64_t room = set.end - set.last;
-    const auto left_room = static_cast<std::uint32_t>(room * left_count / set.count());
-    if (left_room > 0) {
+    std::uint32_t left_room = 0;
+    if (set.end > set.last) {
+        const double of_left = half_area(left.box) * left_count;
+        const double of_right = half_area(right.box) * (set.last - middle);
+        const double share = of_left + of_right > 0.0 ? of_left / (of_left + of_right) : 0.0;
+        left_room = static_cast<std::uint32_t>(share * (set.end - set.last));
         // The order on the right is no matter: as few as need to make way.
         const std::uint32_t moved = std::min(left_room, set.last - middle);
         std::copy_n(refs.begin() + middle, moved, refs.begin() + set.last + left_room - moved);

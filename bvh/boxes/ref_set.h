@@ -101,7 +101,8 @@ struct TwoSets {
 /// Brings what goes left to the front, except for a SplitKind::cut. Neither side is empty.
 TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split);
 
-/// Shares the room behind a divided set between its sides.
+/// Shares the room behind a divided set between its sides, by how many they are and how large: a
+/// cut high up saves most.
 TwoSets share_room(std::span<BuildRef> refs, const RefSet& set, std::uint32_t left_count,
                    const RefSummary& left, const RefSummary& right);
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 
+#include "bvh/boxes/spatial_split.h"
 #include "bvh/boxes/split_cost.h"
 
 namespace lray::bvh {
@@ -14,6 +15,10 @@ namespace lray::bvh {
 namespace {
 
 constexpr int kMaxBinCount = 32;
+
+/// Cuts are tried where both sides share so much of the set's area. At half of that the trees are
+/// no better, and take half as long again.
+constexpr double kLeastOverlap = 0.2;
 
 /// One bin of each axis.
 struct Bin {
@@ -38,21 +43,6 @@ int bin_count_for(std::uint32_t ref_count, BuildQuality quality) {
     const int most = quality == BuildQuality::low ? 16 : kMaxBinCount;
     const int wanted = ref_count < 64 ? 8 : (ref_count < 1024 ? 16 : 32);
     return wanted < most ? wanted : most;
-}
-
-/// Bins over the centres of a set.
-BinMap make_map(const Box4& centers, int bin_count) {
-    float extent[4];
-    store_four(extent, centers.upper - centers.lower);
-    float scale[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        // The last bin ends a little behind the last centre. Where the quotient is not a number of
-        // use, all centres come to lie in one bin.
-        const float wanted = static_cast<float>(bin_count) * 0.99999f / extent[axis];
-        scale[axis] =
-            extent[axis] > 0.0f && wanted < std::numeric_limits<float>::max() ? wanted : 0.0f;
-    }
-    return {centers.lower, Float4::of(scale[0], scale[1], scale[2]), bin_count};
 }
 
 void fill(Bins& bins, std::span<const BuildRef> refs, const BinMap& map) {
@@ -130,6 +120,21 @@ Split sweep(const Bins& bins, const BinMap& map, const Measure& measure) {
     return best;
 }
 
+/// The size of what the boxes of both sides share.
+double overlap_of_sides(const Bins& bins, const Split& split, const Measure& measure) {
+    const auto& row = bins[static_cast<std::size_t>(split.axis)];
+    Box4 left;
+    Box4 right;
+    for (int i = 0; i < split.map.bin_count; ++i) {
+        (i < split.first_right_bin ? left : right).add(row[static_cast<std::size_t>(i)].box);
+    }
+    const Box4 shared{max(left.lower, right.lower), min(left.upper, right.upper)};
+    float extent[4];
+    store_four(extent, shared.upper - shared.lower);
+    const bool is_shared = extent[0] >= 0.0f && extent[1] >= 0.0f && extent[2] >= 0.0f;
+    return is_shared ? measure(shared) : 0.0;
+}
+
 std::uint64_t weight_of(std::span<const BuildRef> refs, const RefSet& set) {
     if (set.summary.is_of_one_class()) {
         const auto ref_class = static_cast<std::size_t>(set.summary.only_class());
@@ -150,18 +155,22 @@ bool can_be_leaf(const RefSet& set) {
     return set.count() <= (has_blocks ? kMaxLeafCount * kBoxWidth : kMaxLeafCount);
 }
 
-Split find_split(std::span<const BuildRef> refs, const RefSet& set, BuildQuality quality) {
+Split find_split(const SplitRules& rules, std::span<const BuildRef> refs, const RefSet& set) {
     const bool is_of_one_class = set.summary.is_of_one_class();
     const bool has_blocks = is_of_one_class && set.summary.only_class() <= RefClass::sphere;
     if (set.count() <= (has_blocks ? kBoxWidth : 1)) return {};
-    const double area = half_area(set.summary.box);
-    const Measure measure{!(area > 0.0)};
+    const Measure& measure = rules.measure;
     const double size = measure(set.summary.box);
-    const BinMap map = make_map(set.summary.centers, bin_count_for(set.count(), quality));
+    const BinMap map = make_bin_map(set.summary.centers, bin_count_for(set.count(), rules.quality));
     const Bins bins = fill(refs.subspan(set.first, set.count()), map);
     Split best = sweep(bins, map, measure);
+    if (rules.quality == BuildQuality::high && set.end > set.last && best.kind == SplitKind::bins &&
+        overlap_of_sides(bins, best, measure) >= kLeastOverlap * size) {
+        const Split cut = find_cut(rules.geometry, refs, set, measure);
+        if (cut.cost < best.cost) best = cut;
+    }
     const double leaf_cost = size * block_count(weight_of(refs, set));
-    if (!(best.cost + kNodeCost * size < leaf_cost)) {
+    if (!(best.cost < leaf_cost)) {
         if (can_be_leaf(set)) return {};
         // The kinds have to part some time.
         if (!is_of_one_class && set.count() <= kMaxLeafCount * kBoxWidth) {

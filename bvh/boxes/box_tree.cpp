@@ -2,23 +2,32 @@
 
 #include <utility>
 
+#include "bvh/boxes/binary_tree.h"
 #include "bvh/boxes/build_refs.h"
+#include "bvh/boxes/collapse_tree.h"
 #include "bvh/boxes/fill_tree.h"
-#include "bvh/boxes/grow_tree.h"
 #include "bvh/boxes/ref_set.h"
 #include "bvh/boxes/split_cost.h"
 
 namespace lray::bvh {
 
+namespace {
+
+/// Of the references of a geometry, how many may be added by cutting.
+constexpr double kRoomForParts = 0.5;
+
+}  // namespace
+
 /// While it works it needs 32 bytes a reference beside what the tree keeps, and about a tenth of
 /// that for the nodes that are not yet in their place.
 BoxTree build_box_tree(const scene::Geometry& geometry, BuildQuality quality) {
-    BuildRefs refs = make_build_refs(geometry, 0.0);
+    BuildRefs refs = make_build_refs(geometry, quality == BuildQuality::high ? kRoomForParts : 0.0);
     BoxTree tree;
     if (refs.count > 0) {
         const double area = half_area(summarize(refs.used()).box);
-        GrownPart grown = grow_tree(refs.used(), quality);
-        tree = fill_tree(geometry, refs.all(), grown);
+        WidePart whole =
+            collapse_tree(build_binary_tree(geometry, refs.all(), refs.count, quality), refs.all());
+        tree = fill_tree(geometry, refs.all(), whole);
         tree.stats.cost = area > 0.0 ? tree.stats.cost / area : 0.0;
     }
     tree.planes = std::move(refs.planes);

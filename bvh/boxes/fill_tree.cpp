@@ -86,8 +86,8 @@ Block* fill_blocks(Block* block, const scene::Geometry& geometry, std::span<cons
 
 /// Writes from the beginning of the arrays on.
 void fill_leaves(Arrays arrays, const scene::Geometry& geometry, std::span<const BuildRef> refs,
-                 std::span<const GrownLeaf> leaves) {
-    for (const GrownLeaf& leaf : leaves) {
+                 std::span<const WideLeaf> leaves) {
+    for (const WideLeaf& leaf : leaves) {
         const std::span<const BuildRef> members = refs.subspan(leaf.first_ref, leaf.ref_count);
         switch (leaf.kind) {
             case BoxChildKind::triangles:
@@ -107,23 +107,23 @@ void fill_leaves(Arrays arrays, const scene::Geometry& geometry, std::span<const
 
 /// A part and how much of each array is before it.
 struct PlacedPart {
-    GrownPart* part = nullptr;
+    WidePart* part = nullptr;
     BoxTreeCounts before{};
 };
 
 BoxChild relocated(BoxChild child, const BoxTreeCounts& before) {
-    // Indices are in the low bits of all kinds; grow_tree() and place() see to their range.
+    // Indices are in the low bits of all kinds; collapse_tree() and place() see to their range.
     BoxTreeCounts counts = before;
     return child + counts.of(kind_of(child));
 }
 
 /// Puts a part and its branches in order, and moves the indices of its children there.
 // NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most
-BoxChild place(GrownPart& part, BoxTreeCounts& next, std::vector<PlacedPart>& placed) {
+BoxChild place(WidePart& part, BoxTreeCounts& next, std::vector<PlacedPart>& placed) {
     const BoxTreeCounts before = next;
     placed.push_back({&part, before});
     next += part.counts;
-    for (GrownBranch& branch : part.branches) {
+    for (WideBranch& branch : part.branches) {
         part.nodes[0].children[branch.lane] = place(branch.part, next, placed);
     }
     return relocated(part.root, before);
@@ -131,7 +131,7 @@ BoxChild place(GrownPart& part, BoxTreeCounts& next, std::vector<PlacedPart>& pl
 
 void write_part(const PlacedPart& placed, Arrays arrays, const scene::Geometry& geometry,
                 std::span<const BuildRef> refs) {
-    const GrownPart& part = *placed.part;
+    const WidePart& part = *placed.part;
     const BoxTreeCounts& before = placed.before;
     BoxNode* const nodes = arrays.nodes + before.nodes;
     std::ranges::copy(part.nodes, nodes);
@@ -152,11 +152,11 @@ void write_part(const PlacedPart& placed, Arrays arrays, const scene::Geometry& 
 }  // namespace
 
 BoxTree fill_tree(const scene::Geometry& geometry, std::span<const BuildRef> refs,
-                  GrownPart& grown) {
+                  WidePart& whole) {
     BoxTree tree;
     BoxTreeCounts counts;
     std::vector<PlacedPart> placed;
-    const BoxChild root = place(grown, counts, placed);
+    const BoxChild root = place(whole, counts, placed);
     LRAY_ASSERT(counts.nodes < kMaxBoxNodes && counts.triangle_blocks <= kMaxLeafFirst &&
                 counts.sphere_blocks <= kMaxLeafFirst && counts.listed <= kMaxLeafFirst);
     tree.arena = Arena(Layout(counts).size);

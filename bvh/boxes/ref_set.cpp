@@ -5,11 +5,13 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "base/assert.h"
 #include "bvh/boxes/box_layout.h"
+#include "bvh/boxes/split_cost.h"
 
 namespace lray::bvh {
 
@@ -119,11 +121,25 @@ TwoSets divide_in_middle(std::span<BuildRef> refs, const RefSet& set) {
     const std::uint32_t half = (set.count() / 2 + kBoxWidth - 1) / kBoxWidth * kBoxWidth;
     const std::uint32_t left_count = half < set.count() ? half : set.count() / 2;
     const std::uint32_t middle = set.first + left_count;
-    return {{set.first, middle, summarize(refs.subspan(set.first, left_count))},
-            {middle, set.last, summarize(refs.subspan(middle, set.last - middle))}};
+    return share_room(refs, set, left_count, summarize(refs.subspan(set.first, left_count)),
+                      summarize(refs.subspan(middle, set.last - middle)));
 }
 
 }  // namespace
+
+BinMap make_bin_map(const Box4& range, int bin_count) {
+    float extent[4];
+    store_four(extent, range.upper - range.lower);
+    float scale[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        // The last bin ends a little behind the range. Where the quotient is not a number of use,
+        // all comes to lie in one bin.
+        const float wanted = static_cast<float>(bin_count) * 0.99999f / extent[axis];
+        scale[axis] =
+            extent[axis] > 0.0f && wanted < std::numeric_limits<float>::max() ? wanted : 0.0f;
+    }
+    return {range.lower, Float4::of(scale[0], scale[1], scale[2]), bin_count};
+}
 
 RefSummary summarize(std::span<const BuildRef> refs) {
     const auto add = [refs](const tbb::blocked_range<std::size_t>& range, RefSummary summary) {
@@ -138,8 +154,25 @@ RefSummary summarize(std::span<const BuildRef> refs) {
     });
 }
 
+TwoSets share_room(std::span<BuildRef> refs, const RefSet& set, std::uint32_t left_count,
+                   const RefSummary& left, const RefSummary& right) {
+    const std::uint32_t middle = set.first + left_count;
+    std::uint32_t left_room = 0;
+    if (set.end > set.last) {
+        const double of_left = half_area(left.box) * left_count;
+        const double of_right = half_area(right.box) * (set.last - middle);
+        const double share = of_left + of_right > 0.0 ? of_left / (of_left + of_right) : 0.0;
+        left_room = static_cast<std::uint32_t>(share * (set.end - set.last));
+        // The order on the right is no matter: as few as need to make way.
+        const std::uint32_t moved = std::min(left_room, set.last - middle);
+        std::copy_n(refs.begin() + middle, moved, refs.begin() + set.last + left_room - moved);
+    }
+    return {{set.first, middle, middle + left_room, left},
+            {middle + left_room, set.last + left_room, set.end, right}};
+}
+
 TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split) {
-    LRAY_ASSERT(split.kind != SplitKind::none && set.count() >= 2);
+    LRAY_ASSERT(split.kind != SplitKind::none && split.kind != SplitKind::cut && set.count() >= 2);
     if (split.kind == SplitKind::middle) return divide_in_middle(refs, set);
     const std::span<BuildRef> members = refs.subspan(set.first, set.count());
     Sides sides;
@@ -155,8 +188,8 @@ TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split) 
         });
     }
     LRAY_ASSERT(sides.left_count > 0 && sides.left_count < set.count());
-    const std::uint32_t middle = set.first + static_cast<std::uint32_t>(sides.left_count);
-    return {{set.first, middle, sides.left}, {middle, set.last, sides.right}};
+    return share_room(refs, set, static_cast<std::uint32_t>(sides.left_count), sides.left,
+                      sides.right);
 }
 
 }  // namespace lray::bvh

@@ -44,10 +44,12 @@ struct RefSummary {
     RefClass only_class() const { return static_cast<RefClass>(std::countr_zero(classes)); }
 };
 
-/// The references [first, last) of the array that a tree is built in.
+/// The references [first, last) of the array that a tree is built in; up to `end` it is room for
+/// more.
 struct RefSet {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
+    std::uint32_t end = 0;
     RefSummary summary{};
 
     std::uint32_t count() const { return last - first; }
@@ -61,7 +63,7 @@ inline constexpr std::size_t kShare = 1u << 14;
 /// Sums up references.
 RefSummary summarize(std::span<const BuildRef> refs);
 
-/// Where the centre of a box lies among the equally wide bins of each axis.
+/// Equally wide bins of each axis: those of centres are of centres times two.
 struct BinMap {
     Float4 origin{};
     Float4 scale{};
@@ -72,9 +74,12 @@ struct BinMap {
     }
 };
 
+BinMap make_bin_map(const Box4& range, int bin_count);
+
 enum class SplitKind : std::uint8_t {
     none,      // it becomes a leaf
     bins,      // by the bins of the centres
+    cut,       // by the bins of the boxes, and what is in both is cut in two
     by_class,  // the first class of those there from the others
     middle,    // by place in the array, half each
 };
@@ -88,11 +93,17 @@ struct Split {
     BinMap map{};
 };
 
-/// Brings what goes left to the front. Returns both sides; neither is empty.
 struct TwoSets {
     RefSet left{};
     RefSet right{};
 };
+
+/// Brings what goes left to the front, except for a SplitKind::cut. Neither side is empty.
 TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split);
+
+/// Shares the room behind a divided set between its sides, by how many they are and how large: a
+/// cut high up saves most.
+TwoSets share_room(std::span<BuildRef> refs, const RefSet& set, std::uint32_t left_count,
+                   const RefSummary& left, const RefSummary& right);
 
 }  // namespace lray::bvh

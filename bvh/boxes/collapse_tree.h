@@ -1,15 +1,13 @@
-// Grows the nodes of a tree of boxes from the root down. What its leaves hold is filled in later
-// (fill_tree.h), when it is known where everything lies.
+// Gathers the nodes of a binary tree into those of a tree of boxes, eight wide. What its leaves
+// hold is filled in later (fill_tree.h), when it is known where everything lies.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "bvh/accel.h"
+#include "bvh/boxes/binary_tree.h"
 #include "bvh/boxes/box_layout.h"
-#include "bvh/boxes/build_refs.h"
-#include "bvh/boxes/ref_set.h"
 
 namespace lray::bvh {
 
@@ -37,20 +35,20 @@ struct BoxTreeCounts {
 };
 
 /// A leaf, in terms of the references.
-struct GrownLeaf {
+struct WideLeaf {
     std::uint32_t first_ref = 0;
     std::uint32_t ref_count = 0;
     BoxChildKind kind = BoxChildKind::triangles;
 };
 
-struct GrownBranch;
+struct WideBranch;
 
-/// What one task grew: nodes in the order of a walk that takes each child with all below it before
+/// What one task made: nodes in the order of a walk that takes each child with all below it before
 /// the next. Indices count from the first of this part.
-struct GrownPart {
+struct WidePart {
     std::vector<BoxNode> nodes{};
-    std::vector<GrownLeaf> leaves{};      // each with the next index of its kind
-    std::vector<GrownBranch> branches{};  // where others went on, in order; then there is one node
+    std::vector<WideLeaf> leaves{};      // each with the next index of its kind
+    std::vector<WideBranch> branches{};  // where others went on, in order; then there is one node
     BoxChild root = 0;
     BoxTreeCounts counts{};   // without branches
     std::uint32_t depth = 0;  // of the deepest leaf; that of the root is 1
@@ -59,12 +57,13 @@ struct GrownPart {
 };
 
 /// The child of the only node of a part.
-struct GrownBranch {
+struct WideBranch {
     std::size_t lane = 0;
-    GrownPart part{};
+    WidePart part{};
 };
 
-/// Grows the tree over references, which it brings into the order of the leaves.
-GrownPart grow_tree(std::span<BuildRef> refs, BuildQuality quality);
+/// Makes the wide tree that is cheapest by the costs that the binary tree was built with. Brings
+/// the references of each leaf together, where there was room between them.
+WidePart collapse_tree(const BinaryTree& tree, std::span<BuildRef> refs);
 
 }  // namespace lray::bvh

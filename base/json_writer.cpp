@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "base/assert.h"
@@ -77,6 +78,13 @@ JsonWriter& JsonWriter::string(std::string_view text) {
 }
 
 JsonWriter& JsonWriter::number(std::uint64_t number) {
+    begin_value();
+    text_ += fmt::format("{}", number);
+    return *this;
+}
+
+JsonWriter& JsonWriter::decimal(double number) {
+    if (!std::isfinite(number)) return null();
     begin_value();
     text_ += fmt::format("{}", number);
     return *this;

@@ -23,6 +23,9 @@ class JsonWriter {
     /// that command a terminal are escaped as well.
     JsonWriter& string(std::string_view text);
     JsonWriter& number(std::uint64_t number);
+    /// The shortest text that reads back as the same double; JSON has none for NaN and infinity,
+    /// which become null.
+    JsonWriter& decimal(double number);
     JsonWriter& null();
 
     JsonWriter& member(std::string_view name, std::string_view text) {

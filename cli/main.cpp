@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "bvh/accel.h"
 #include "cli/console.h"
 #include "cli/dependencies.h"
 #include "cli/dump_scene.h"
@@ -16,6 +15,7 @@
 #include "cli/interrupt.h"
 #include "cli/memory_limit.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/run.h"
 #include "cli/stats.h"
@@ -58,14 +58,18 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     if (const auto* failure = std::get_if<Failure>(&opened)) return report_failure(*failure);
 
     watch.lap();
-    const auto accel = bvh::build(*world, {.kind = options.accel});
+    Progress progress(progress_style(options), options.frame_label);
+    print_message(progress.begin());
+    const auto accel = build_hierarchy(*world, options, progress);
     times.build = watch.lap();
-    const render::RenderResult result = render_view(view, *world, *accel, options);
+    const render::RenderResult result = render_view(view, *world, *accel, progress);
     times.render = watch.lap();
     const ExitCode exit_code =
         save_picture(std::move(std::get<OutputFile>(opened)), result, scene->info, options);
     times.write = watch.lap();
-    if (options.stats) print_message(format_stats(*world, options.accel, result, times));
+    if (options.stats != StatsFormat::none) {
+        print_stats({*world, options, view, accel->stats(), result, times});
+    }
     return exit_code;
 }
 

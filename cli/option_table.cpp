@@ -33,20 +33,28 @@ std::string keep(Options& options, std::string_view text) {
 using Value = std::string_view;
 
 constexpr std::array kPictureOptions{
-    OptionSpec{"n", "LEVEL", "1: one ray per pixel, flat painting, no hierarchy", store_level},
+    OptionSpec{"n", "LEVEL", "1: one ray per pixel, no hierarchy; 2: random rays, bounding spheres",
+               store_level},
     OptionSpec{"i", "FILE", "the scene; - is stdin; -i may be left out",
                [](Options& o, Value v) { return store_path(o.scene_path, v); }},
     OptionSpec{"o", "FILE", "the picture; - is stdout",
                [](Options& o, Value v) { return store_path(o.output_path, v); }},
     OptionSpec{"ps", "N", "rays per pixel", store_samples},
     OptionSpec{"spp", "N", "", store_samples},
+    OptionSpec{"samples", "A:B", "of these rays those from A to B, B excluded", store_sample_range},
+    OptionSpec{"seed", "N", "other random rays",
+               [](Options& o, Value v) { return store_number(o.seed.emplace(), v, 0); }},
     OptionSpec{"size", "WxH", "size of the picture in pixels", store_size},
     OptionSpec{"crop", "X0,Y0,X1,Y1", "only these pixels, from the top left, X1 and Y1 excluded",
                store_crop},
     OptionSpec{"camera", "NAME", "which camera of the scene; the first one otherwise",
                keep<&Options::camera_name>},
     OptionSpec{"format", "ppm|png", "otherwise by the extension of the picture", store_format},
-    OptionSpec{"accel", "none", "the hierarchy; none: every ray tests everything", store_accel},
+    OptionSpec{"accel", "KIND", "the hierarchy: none, spheres or boxes; the picture is the same",
+               store_accel},
+    OptionSpec{"quality", "HOW", "of boxes, low, medium or high: how long the building may take",
+               store_quality},
+    OptionSpec{"shading", "WHAT", "flat, normals, depth or cost (tests per ray)", store_shading},
     OptionSpec{"D", "NAME=VALUE", "the value of a param of the scene", store_definition},
     OptionSpec{"frame", "N", "this frame of the animation", store_frame},
     OptionSpec{"frames", "A:B", "frames A to B; #### in -o FILE is the number", store_frames},
@@ -79,7 +87,7 @@ constexpr std::array kFileOptions{
 };
 
 constexpr std::array kMessageOptions{
-    OptionSpec{"stats", "", "what was rendered and how long it took", set<&Options::stats, true>},
+    OptionSpec{"stats", "[=json]", "what was rendered and how long it took", store_stats},
     OptionSpec{"quiet", "", "no progress and no notes", set<&Options::quiet, true>},
     OptionSpec{"color", "WHEN", "auto, always or never", store_color},
     OptionSpec{"max-errors", "N", "show at most so many errors; 0: all",

@@ -12,7 +12,7 @@ namespace lray::cli {
 
 struct OptionSpec {
     const char* name = "";   // without dashes
-    const char* value = "";  // of its value in --help; empty: it takes none
+    const char* value = "";  // of its value in --help; empty: it takes none; "[=X]": X or none
     const char* help = "";   // empty: another name of the option before it
 
     /// Stores the value. Returns an empty string, or what is wrong as the end of a sentence that
@@ -23,6 +23,7 @@ struct OptionSpec {
     std::uint64_t (*value_of)(const Options& options) = nullptr;
 
     bool takes_value() const { return *value != '\0'; }
+    bool may_take_value() const { return *value == '['; }
 };
 
 struct OptionGroup {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <utility>
 
 #include "render/film.h"
 
@@ -13,6 +14,16 @@ namespace {
 
 constexpr std::uint64_t kMaxSide = std::numeric_limits<std::int32_t>::max();
 constexpr std::uint64_t kMaxFrame = 1'000'000'000;  // exact as a number of the language
+
+/// Reads two whole numbers with a colon between them.
+std::optional<std::pair<std::uint64_t, std::uint64_t>> parse_range(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    if (colon == text.npos) return std::nullopt;
+    const auto first = parse_number(text.substr(0, colon));
+    const auto second = parse_number(text.substr(colon + 1));
+    if (!first || !second) return std::nullopt;
+    return std::pair(*first, *second);
+}
 
 }  // namespace
 
@@ -30,20 +41,32 @@ std::string wrong_number(std::string_view text, std::uint64_t low, std::uint64_t
 }
 
 std::string store_level(Options& options, std::string_view text) {
-    if (text == "1") {
-        options.level = 1;
+    if (text == "1" || text == "2") {
+        options.level = text == "1" ? 1 : 2;
         return {};
     }
-    if (text == "2" || text == "3") {
-        return fmt::format(
-            "{} is not available in this version; `-n 1` is: one ray per pixel, flat painting",
-            text);
+    if (text == "3") {
+        return "3 is not available in this version; `-n 1` and `-n 2` are, which write a picture";
     }
     return fmt::format("takes a level, 1, 2 or 3, not `{}`", text);
 }
 
 std::string store_samples(Options& options, std::string_view text) {
     return store_number(options.samples.emplace(), text, 1, render::Film::kMaxSamples);
+}
+
+std::string store_sample_range(Options& options, std::string_view text) {
+    constexpr std::uint64_t kMaxSamples = render::Film::kMaxSamples;
+    const auto range = parse_range(text);
+    if (!range || range->second > kMaxSamples) {
+        return fmt::format(
+            "takes the first sample and the one behind the last like `0:16`, up to {}, not `{}`",
+            kMaxSamples, text);
+    }
+    const auto [begin, end] = *range;
+    if (begin >= end) return fmt::format("`{}` holds no sample: A must be less than B", text);
+    options.sample_range = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+    return {};
 }
 
 std::string store_size(Options& options, std::string_view text) {
@@ -88,14 +111,53 @@ std::string store_crop(Options& options, std::string_view text) {
 std::string store_accel(Options& options, std::string_view text) {
     if (text == "none") {
         options.accel = bvh::AccelKind::none;
-        return {};
+    } else if (text == "spheres") {
+        options.accel = bvh::AccelKind::spheres;
+    } else if (text == "boxes") {
+        options.accel = bvh::AccelKind::boxes;
+    } else {
+        return fmt::format("takes none, spheres or boxes, not `{}`", text);
     }
-    if (text == "spheres" || text == "boxes") {
-        return fmt::format(
-            "{} is not available in this version; `--accel none` is: every ray tests everything",
-            text);
+    return {};
+}
+
+std::string store_quality(Options& options, std::string_view text) {
+    if (text == "low") {
+        options.quality = bvh::BuildQuality::low;
+    } else if (text == "medium") {
+        options.quality = bvh::BuildQuality::medium;
+    } else if (text == "high") {
+        options.quality = bvh::BuildQuality::high;
+    } else {
+        return fmt::format("takes low, medium or high, not `{}`", text);
     }
-    return fmt::format("takes none, spheres or boxes, not `{}`", text);
+    return {};
+}
+
+std::string store_shading(Options& options, std::string_view text) {
+    if (text == "flat") {
+        options.shader = shade::Shader::flat;
+    } else if (text == "normals") {
+        options.shader = shade::Shader::normals;
+    } else if (text == "depth") {
+        options.shader = shade::Shader::depth;
+    } else if (text == "cost") {
+        options.shader = shade::Shader::cost;
+    } else if (text == "full" || text == "uv") {
+        return fmt::format("{} is not available in this version; flat, normals, depth and cost are",
+                           text);
+    } else {
+        return fmt::format("takes flat, normals, depth or cost, not `{}`", text);
+    }
+    return {};
+}
+
+std::string store_stats(Options& options, std::string_view text) {
+    if (!text.empty() && text != "json") {
+        return fmt::format("takes nothing or json, not `{}`", text);
+    }
+    options.stats = text.empty() ? StatsFormat::text : StatsFormat::json;
+    return {};
 }
 
 std::string store_format(Options& options, std::string_view text) {
@@ -147,14 +209,12 @@ std::string store_frame(Options& options, std::string_view text) {
 }
 
 std::string store_frames(Options& options, std::string_view text) {
-    const std::size_t colon = text.find(':');
-    const auto first = parse_number(text.substr(0, colon));
-    const auto last = colon == text.npos ? std::nullopt : parse_number(text.substr(colon + 1));
-    if (!first || !last || *first > kMaxFrame || *last > kMaxFrame) {
+    const auto range = parse_range(text);
+    if (!range || range->first > kMaxFrame || range->second > kMaxFrame) {
         return fmt::format("takes the first and the last frame like `0:95`, not `{}`", text);
     }
-    if (*first > *last) return fmt::format("`{}` ends before it begins", text);
-    options.frames = {*first, *last};
+    if (range->first > range->second) return fmt::format("`{}` ends before it begins", text);
+    options.frames = {range->first, range->second};
     return {};
 }
 

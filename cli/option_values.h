@@ -19,9 +19,13 @@ std::string store_number(Integer& target, std::string_view text, std::uint64_t l
 
 std::string store_level(Options& options, std::string_view text);
 std::string store_samples(Options& options, std::string_view text);
+std::string store_sample_range(Options& options, std::string_view text);
 std::string store_size(Options& options, std::string_view text);
 std::string store_crop(Options& options, std::string_view text);
 std::string store_accel(Options& options, std::string_view text);
+std::string store_quality(Options& options, std::string_view text);
+std::string store_shading(Options& options, std::string_view text);
+std::string store_stats(Options& options, std::string_view text);
 std::string store_format(Options& options, std::string_view text);
 std::string store_color(Options& options, std::string_view text);
 std::string store_diagnostics(Options& options, std::string_view text);

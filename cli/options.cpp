@@ -75,7 +75,9 @@ class ArgumentReader {
         count_ = static_cast<int>(arguments_.size());
         arguments_.push_back(nullptr);
         for (std::size_t i = 0; i < specs_.size(); ++i) {
-            const int has_value = specs_[i]->takes_value() ? required_argument : no_argument;
+            const int has_value = specs_[i]->may_take_value() ? optional_argument
+                                  : specs_[i]->takes_value()  ? required_argument
+                                                              : no_argument;
             table_.push_back(
                 {specs_[i]->name, has_value, nullptr, kFirstSpec + static_cast<int>(i)});
         }
@@ -181,10 +183,12 @@ std::string suggested_output(std::string_view scene_path) {
 
 std::optional<Failure> check_output(const Options& options) {
     if (!options.output_path.empty()) return std::nullopt;
-    const std::string fix = fmt::format("lray -n 1 -i {} -o {}", quoted(options.scene_path),
+    const std::string level = options.level ? fmt::format(" -n {}", *options.level) : "";
+    const std::string fix = fmt::format("lray{} -i {} -o {}", level, quoted(options.scene_path),
                                         quoted(suggested_output(options.scene_path)));
     if (options.level) {
-        return usage_error("level 1 writes a picture; say where with `-o`", fix);
+        return usage_error(
+            fmt::format("level {} writes a picture; say where with `-o`", *options.level), fix);
     }
     return usage_error("the window is not available in this version; write a picture with `-o`",
                        fix);
@@ -237,12 +241,35 @@ std::optional<Failure> choose_format(Options& options) {
     return usage_error(fmt::format("no picture format is called `{}`", extension), help);
 }
 
+std::optional<Failure> check_samples(const Options& options) {
+    const auto& range = options.sample_range;
+    if (!range || !options.samples || range->begin < *options.samples) return std::nullopt;
+    return usage_error(fmt::format("`--samples {}:{}` begins behind the last of `-ps {}`",
+                                   range->begin, range->end, *options.samples),
+                       "they count from 0; without `-ps` the range alone says which");
+}
+
+/// A level is a set of defaults: what is given by hand stays.
+void apply_level(Options& options) {
+    const bool is_first = options.level == 1u;
+    const bvh::AccelKind usual = is_first             ? bvh::AccelKind::none
+                                 : options.level == 2 ? bvh::AccelKind::spheres
+                                                      : bvh::AccelKind::boxes;
+    options.accel = options.accel.value_or(usual);
+    options.position = is_first ? render::PixelPosition::center : render::PixelPosition::random;
+}
+
 void warn_of_ignored(Options& options) {
-    if (options.samples && *options.samples != 1) {
+    if (options.position != render::PixelPosition::center) return;
+    const auto warn = [&](const std::string& option) {
         options.warnings.push_back(fmt::format(
-            "`-ps {}` is ignored: level 1 sends one ray through the centre of each pixel",
-            *options.samples));
+            "`{}` is ignored: level 1 sends one ray through the centre of each pixel", option));
+    };
+    if (options.samples.value_or(1) != 1) warn(fmt::format("-ps {}", *options.samples));
+    if (const auto& range = options.sample_range) {
+        warn(fmt::format("--samples {}:{}", range->begin, range->end));
     }
+    if (options.seed) warn(fmt::format("--seed {}", *options.seed));
 }
 
 }  // namespace
@@ -285,6 +312,8 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
     if (auto failure = check_output(options)) return *failure;
     if (auto failure = check_numbering(options)) return *failure;
     if (auto failure = choose_format(options)) return *failure;
+    if (auto failure = check_samples(options)) return *failure;
+    apply_level(options);
     warn_of_ignored(options);
     return options;
 }
@@ -293,6 +322,8 @@ std::string help_text() {
     std::string text = fmt::format(
         "lray {}: renders scenes written in the .lrs language\n\n"
         "usage: {}\n"
+        "       lray -n 2 -ps 16 -i scene.lrs -o image.ppm\n"
+        "       lray scene.lrs -o image.png\n"
         "       lray --check scene.lrs\n"
         "       lray --fmt scene.lrs\n\n"
         "Options may have one or two dashes; the last one given counts.\n",
@@ -302,7 +333,10 @@ std::string help_text() {
         for (std::size_t i = 0; i < group.options.size(); ++i) {
             const OptionSpec& spec = group.options[i];
             if (*spec.help == '\0') continue;
-            const std::string value = *spec.value == '\0' ? "" : fmt::format(" {}", spec.value);
+            const std::string value =
+                spec.takes_value()
+                    ? fmt::format("{}{}", spec.may_take_value() ? "" : " ", spec.value)
+                    : "";
             std::string names = spelled(spec.name) + value;
             for (std::size_t k = i + 1; k < group.options.size() && *group.options[k].help == '\0';
                  ++k) {

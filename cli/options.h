@@ -13,9 +13,10 @@
 #include "cli/exit_code.h"
 #include "image/write.h"
 #include "parser/load.h"
-#include "render/render.h"
+#include "render/options.h"
 #include "scene/camera.h"
 #include "scene/flatten.h"
+#include "shade/shader.h"
 
 namespace lray::cli {
 
@@ -23,6 +24,7 @@ enum class Mode : std::uint8_t { render, check, format, dump, deps, explain, hel
 enum class ColorMode : std::uint8_t { automatic, always, never };
 
 enum class DiagnosticsFormat : std::uint8_t { text, json, sarif };
+enum class StatsFormat : std::uint8_t { none, text, json };
 
 /// Frames of an animation, both ends included.
 struct FrameRange {
@@ -44,12 +46,17 @@ struct Options {
     std::vector<std::string> formatted_paths{};  // of --fmt, in order
 
     std::optional<std::uint32_t> level{};
-    std::optional<std::uint32_t> samples{};
+    std::optional<std::uint32_t> samples{};             // -ps: rays per pixel
+    std::optional<render::SampleRange> sample_range{};  // --samples: only these of them
+    std::optional<std::uint64_t> seed{};
     std::optional<scene::Resolution> size{};
     std::optional<render::PixelRect> crop{};
     std::optional<std::string> camera_name{};
     std::optional<image::Format> format{};  // always set once parsed, if a picture is asked for
-    bvh::AccelKind accel = bvh::AccelKind::none;
+    std::optional<bvh::AccelKind> accel{};  // set once parsed, by the level if it is not given
+    bvh::BuildQuality quality = bvh::BuildQuality::medium;
+    render::PixelPosition position = render::PixelPosition::random;  // by the level
+    shade::Shader shader = shade::Shader::flat;
     std::uint32_t thread_count = 0;  // 0: all
 
     std::vector<parser::Definition> definitions{};  // -D, in order
@@ -63,7 +70,7 @@ struct Options {
     DiagnosticsFormat diagnostics_format = DiagnosticsFormat::text;
     std::optional<std::uint64_t> max_errors{};  // set once parsed; machines get all by default
     WarningLevels warning_levels{};
-    bool stats = false;
+    StatsFormat stats = StatsFormat::none;
     bool quiet = false;
 
     parser::LoadLimits load_limits{};

@@ -15,6 +15,8 @@ constexpr double kBarAfterSeconds = 0.5;
 constexpr double kLinesAfterSeconds = 2.0;
 constexpr double kLinePeriodSeconds = 30.0;
 constexpr int kBarWidth = 40;
+// Building the slowest hierarchy over fewer takes less than about half a second.
+constexpr std::uint64_t kSlowBuildCount = 100'000;
 constexpr const char* kEraseLine = "\r\x1b[K";
 
 /// The time left if the rest is as slow as what is done; "?" before anything is.
@@ -26,23 +28,32 @@ std::string time_left(double share, double elapsed_seconds) {
 }  // namespace
 
 std::string Progress::begin() {
-    if (label_.empty()) return {};
+    return label_.empty() ? std::string{} : whole_line(label_);
+}
+
+std::string Progress::building(std::uint64_t primitive_count) {
+    if (primitive_count < kSlowBuildCount) return {};
+    return whole_line(fmt::format("{}{}building the hierarchy of {} primitives", label_,
+                                  label_.empty() ? "" : ": ", primitive_count));
+}
+
+std::string Progress::whole_line(const std::string& text) {
     switch (style_) {
         case ProgressStyle::silent:
             return {};
         case ProgressStyle::bar:
             is_bar_drawn_ = true;
-            return kEraseLine + label_;
+            return kEraseLine + text;
         case ProgressStyle::lines:
-            return label_ + "\n";
+            return text + "\n";
     }
     LRAY_ASSERT(false);
 }
 
 std::string Progress::update(const render::RenderProgress& progress, double elapsed_seconds) {
-    if (progress.total_pixels == 0) return {};
+    if (progress.total_samples == 0) return {};
     const double share =
-        static_cast<double>(progress.done_pixels) / static_cast<double>(progress.total_pixels);
+        static_cast<double>(progress.done_samples) / static_cast<double>(progress.total_samples);
     switch (style_) {
         case ProgressStyle::silent:
             return {};

@@ -1,6 +1,7 @@
 // Progress of a render as text: a bar on a terminal, lines elsewhere. Writes nothing itself.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,9 @@ class Progress {
     /// Returns what to write at the begin: the label, if there is one.
     std::string begin();
 
+    /// Returns what to write before a hierarchy is built: nothing if it will be quick.
+    std::string building(std::uint64_t primitive_count);
+
     /// Returns what to write now, often nothing. A bar appears once the render has lasted half a
     /// second and is redrawn in its line; a line comes each 10 % or 30 s, the first not before the
     /// render has lasted two seconds.
@@ -28,6 +32,7 @@ class Progress {
     std::string finish() const;
 
  private:
+    std::string whole_line(const std::string& text);
     std::string bar(double share, double elapsed_seconds) const;
 
     ProgressStyle style_ = ProgressStyle::silent;

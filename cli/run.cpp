@@ -8,11 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/assert.h"
 #include "base/terminal_text.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/library.h"
-#include "cli/progress.h"
+#include "render/threads.h"
 
 namespace lray::cli {
 
@@ -22,10 +23,20 @@ namespace {
 // to wait without a word.
 constexpr double kSlowTestCount = 2e9;
 
-ProgressStyle progress_style(const Options& options) {
-    const bool is_for_machines = options.diagnostics_format != DiagnosticsFormat::text;
-    if (options.quiet || is_for_machines) return ProgressStyle::silent;
-    return stderr_is_terminal() ? ProgressStyle::bar : ProgressStyle::lines;
+/// Primitives that a ray meets without a hierarchy: those of an instance as often as it is placed.
+double expanded_count(const scene::World& world) {
+    std::vector<double> counts;  // of the prototypes; each uses only those before it
+    const auto expanded = [&](const scene::Geometry& geometry) {
+        double count = static_cast<double>(geometry.primitive_count());
+        for (const scene::WorldInstance& instance : geometry.instances) {
+            count += counts[instance.prototype];
+        }
+        return count;
+    };
+    for (const scene::Geometry& prototype : world.prototypes) {
+        counts.push_back(expanded(prototype));
+    }
+    return expanded(world);
 }
 
 /// True for a pipe or a device: there is no place beside it for a partial picture.
@@ -80,6 +91,12 @@ ExitCode save_partial_picture(const image::Image& image, image::Metadata metadat
 
 }  // namespace
 
+ProgressStyle progress_style(const Options& options) {
+    const bool is_for_machines = options.diagnostics_format != DiagnosticsFormat::text;
+    if (options.quiet || is_for_machines) return ProgressStyle::silent;
+    return stderr_is_terminal() ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
 FileAccess file_access(const Options& options) {
     FileAccess files;
     files.set_library(library_directory());
@@ -114,14 +131,13 @@ parser::LoadSettings load_settings(const Options& options) {
 void print_notes(const View& view, const scene::World& world, const Options& options) {
     if (options.diagnostics_format != DiagnosticsFormat::text) return;
     for (const std::string& warning : options.warnings) print_warning(warning);
-    const double test_count =
-        static_cast<double>(view.pixel_count()) * static_cast<double>(world.primitive_count());
-    if (options.accel == bvh::AccelKind::none && test_count > kSlowTestCount && !options.quiet) {
-        print_note(
-            fmt::format("without a hierarchy each of {} rays tests all {} primitives, which "
-                        "will be slow; a smaller `--size` or a `--crop` helps",
-                        view.pixel_count(), world.primitive_count()));
-    }
+    if (options.accel != bvh::AccelKind::none || options.quiet) return;
+    const double primitive_count = expanded_count(world);
+    if (static_cast<double>(view.ray_count()) * primitive_count <= kSlowTestCount) return;
+    print_note(
+        fmt::format("without a hierarchy each of {} rays tests all {:.0f} primitives, which will "
+                    "be slow; `--accel boxes` gives the same picture sooner",
+                    view.ray_count(), primitive_count));
 }
 
 std::variant<OutputFile, Failure> open_output(const Options& options,
@@ -140,10 +156,21 @@ std::variant<OutputFile, Failure> open_output(const Options& options,
     return std::move(*output);
 }
 
+std::unique_ptr<bvh::Accel> build_hierarchy(const scene::World& world, const Options& options,
+                                            Progress& progress) {
+    LRAY_ASSERT(options.accel);
+    if (*options.accel != bvh::AccelKind::none) {
+        print_message(progress.building(world.primitive_count()));
+    }
+    std::unique_ptr<bvh::Accel> accel;
+    render::with_threads(options.thread_count, [&] {
+        accel = bvh::build(world, {.kind = *options.accel, .quality = options.quality});
+    });
+    return accel;
+}
+
 render::RenderResult render_view(const View& view, const scene::World& world,
-                                 const bvh::Accel& accel, const Options& options) {
-    Progress progress(progress_style(options), options.frame_label);
-    print_message(progress.begin());
+                                 const bvh::Accel& accel, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     const auto on_progress = [&](const render::RenderProgress& done) {
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

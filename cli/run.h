@@ -1,6 +1,7 @@
 // The steps around the pipeline of main.cpp: what is said, when it ends early, what is written.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,7 +14,9 @@
 #include "base/source.h"
 #include "cli/exit_code.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/view.h"
+#include "render/render.h"
 
 namespace lray::cli {
 
@@ -24,6 +27,9 @@ FileAccess file_access(const Options& options);
 /// diagnostics for machines they have no place.
 parser::LoadSettings load_settings(const Options& options);
 
+/// How progress is told on stderr.
+ProgressStyle progress_style(const Options& options);
+
 /// Prints what the command line asked for in vain, and what makes the render slow.
 void print_notes(const View& view, const scene::World& world, const Options& options);
 
@@ -32,9 +38,13 @@ void print_notes(const View& view, const scene::World& world, const Options& opt
 std::variant<OutputFile, Failure> open_output(const Options& options,
                                               std::span<const std::string> files_read);
 
+/// Builds the hierarchy, on the threads that rendering uses too.
+std::unique_ptr<bvh::Accel> build_hierarchy(const scene::World& world, const Options& options,
+                                            Progress& progress);
+
 /// Renders with progress on stderr, until done or interrupted.
 render::RenderResult render_view(const View& view, const scene::World& world,
-                                 const bvh::Accel& accel, const Options& options);
+                                 const bvh::Accel& accel, Progress& progress);
 
 /// Writes the picture, or what there is of it beside the output if it was interrupted, and says
 /// so.

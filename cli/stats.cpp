@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "base/assert.h"
+#include "base/json_writer.h"
+#include "cli/console.h"
 
 namespace lray::cli {
 
@@ -15,6 +17,8 @@ namespace {
 constexpr std::array<std::string_view, scene::kPrimitiveKindCount> kKindNames{
     "triangles", "rectangles", "spheres", "ellipsoids", "cylinders",
     "disks",     "boxes",      "planes",  "tori",       "instances"};
+
+constexpr double kMebibyte = 1048576.0;
 
 std::string_view accel_name(bvh::AccelKind kind) {
     switch (kind) {
@@ -28,24 +32,77 @@ std::string_view accel_name(bvh::AccelKind kind) {
     LRAY_ASSERT(false);
 }
 
-std::string format_kinds(const scene::World& world) {
-    std::string text;
-    for (std::size_t kind = 0; kind < kKindNames.size(); ++kind) {
-        const std::size_t count = world.object_ids[kind].size();
-        if (count == 0) continue;
-        text += fmt::format("{}{} {}", text.empty() ? ": " : ", ", count, kKindNames[kind]);
-    }
-    return text;
+/// How many of each kind there are in the world and once in each prototype.
+std::array<std::uint64_t, scene::kPrimitiveKindCount> kind_counts(const scene::World& world) {
+    std::array<std::uint64_t, scene::kPrimitiveKindCount> counts{};
+    const auto add = [&](const scene::Geometry& geometry) {
+        for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+            counts[kind] += geometry.object_ids[kind].size();
+        }
+    };
+    add(world);
+    for (const scene::Geometry& prototype : world.prototypes) add(prototype);
+    return counts;
 }
 
-double peak_mebibytes() {
+std::uint64_t peak_bytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts KiB
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts KiB
 }
 
 double ratio(std::uint64_t a, std::uint64_t b) {
     return b == 0 ? 0.0 : static_cast<double>(a) / static_cast<double>(b);
+}
+
+double mrays_per_second(const RenderReport& report) {
+    const double seconds = report.times.render;
+    return seconds > 0.0 ? static_cast<double>(report.result.primary.rays) / seconds * 1e-6 : 0.0;
+}
+
+std::string line(std::string_view name, std::string_view text) {
+    return fmt::format("{:<12} {}\n", name, text);
+}
+
+std::string primitives_text(const scene::World& world) {
+    std::string kinds;
+    std::uint64_t total = 0;
+    const auto counts = kind_counts(world);
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        if (counts[kind] == 0) continue;
+        total += counts[kind];
+        kinds +=
+            fmt::format("{}{} {}", kinds.empty() ? ": " : ", ", counts[kind], kKindNames[kind]);
+    }
+    std::string places;
+    if (!world.prototypes.empty()) {
+        places = fmt::format("; {} prototypes in {} places", world.prototypes.size(),
+                             world.place_count - 1);
+    }
+    return fmt::format("{}{}{}", total, kinds, places);
+}
+
+std::string hierarchy_text(const RenderReport& report) {
+    const bvh::AccelStats& accel = report.accel;
+    const std::string_view name = accel_name(*report.options.accel);
+    const double mebibytes = static_cast<double>(accel.bytes) / kMebibyte;
+    if (accel.nodes == 0) return fmt::format("{}, {:.2f} MiB", name, mebibytes);
+    return fmt::format(
+        "{}: {} nodes, {} of them leaves, at most {} deep; {} references, cost {:.2f}, {:.2f} MiB",
+        name, accel.nodes, accel.leaves, accel.depth, accel.references, accel.cost, mebibytes);
+}
+
+std::string picture_text(const RenderReport& report) {
+    const std::uint32_t samples = report.view.render_options.samples.count();
+    return fmt::format("{} x {} pixels, {} sample{} each", report.result.image.width,
+                       report.result.image.height, samples, samples == 1 ? "" : "s");
+}
+
+std::string tests_text(const bvh::TraceCounts& counts) {
+    return fmt::format("{:.2f} nodes, {:.2f} primitives, {:.2f} instances per ray",
+                       ratio(counts.node_tests, counts.rays),
+                       ratio(counts.primitive_tests, counts.rays),
+                       ratio(counts.instance_tests, counts.rays));
 }
 
 }  // namespace
@@ -57,24 +114,76 @@ double Stopwatch::lap() {
     return passed.count();
 }
 
-std::string format_stats(const scene::World& world, bvh::AccelKind accel,
-                         const render::RenderResult& result, const StageTimes& times) {
-    const std::uint64_t rays = result.counts.rays;
-    const double speed = times.render > 0.0 ? static_cast<double>(rays) / times.render * 1e-6 : 0.0;
-    return fmt::format(
-        "primitives   {}{}\n"
-        "accelerator  {}\n"
-        "picture      {} x {} pixels\n"
-        "rays         {}, {:.1f} tests per ray\n"
-        "samples      {} clamped, {} not a number\n"
-        "seconds      {:.3f} parse, {:.3f} flatten, {:.3f} build, {:.3f} render, {:.3f} write\n"
-        "speed        {:.3f} Mrays/s on {} thread{}\n"
-        "memory       {:.1f} MiB at most\n",
-        world.primitive_count(), format_kinds(world), accel_name(accel), result.image.width,
-        result.image.height, rays, ratio(result.counts.primitive_tests, rays),
-        result.samples.clamped, result.samples.nan, times.load, times.flatten, times.build,
-        times.render, times.write, speed, result.thread_count, result.thread_count == 1 ? "" : "s",
-        peak_mebibytes());
+std::string format_stats(const RenderReport& report) {
+    const render::RenderResult& result = report.result;
+    const StageTimes& times = report.times;
+    return line("primitives", primitives_text(report.world)) +
+           line("hierarchy", hierarchy_text(report)) + line("picture", picture_text(report)) +
+           line("rays", fmt::format("{} primary", result.primary.rays)) +
+           line("tests", tests_text(result.primary)) +
+           line("samples", fmt::format("{} clamped, {} not a number", result.samples.clamped,
+                                       result.samples.nan)) +
+           line("seconds",
+                fmt::format("{:.3f} parse, {:.3f} flatten, {:.3f} build, {:.3f} render, "
+                            "{:.3f} write",
+                            times.load, times.flatten, times.build, times.render, times.write)) +
+           line("speed", fmt::format("{:.3f} Mrays/s on {} thread{}", mrays_per_second(report),
+                                     result.thread_count, result.thread_count == 1 ? "" : "s")) +
+           line("memory",
+                fmt::format("{:.1f} MiB at most", static_cast<double>(peak_bytes()) / kMebibyte));
+}
+
+std::string format_stats_json(const RenderReport& report) {
+    const render::RenderResult& result = report.result;
+    const bvh::AccelStats& accel = report.accel;
+    const auto& samples = report.view.render_options.samples;
+    JsonWriter json;
+    json.begin_object();
+    json.key("primitives").begin_object();
+    const auto counts = kind_counts(report.world);
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        json.member(kKindNames[kind], counts[kind]);
+    }
+    json.end_object();
+    json.member("prototypes", std::uint64_t{report.world.prototypes.size()});
+    json.member("places", std::uint64_t{report.world.place_count - 1});
+    json.key("hierarchy").begin_object();
+    json.member("kind", accel_name(*report.options.accel)).member("nodes", accel.nodes);
+    json.member("leaves", accel.leaves).member("depth", std::uint64_t{accel.depth});
+    json.member("references", accel.references).key("cost").decimal(accel.cost);
+    json.member("bytes", std::uint64_t{accel.bytes}).end_object();
+    json.key("picture").begin_object();
+    json.member("width", std::uint64_t{result.image.width});
+    json.member("height", std::uint64_t{result.image.height});
+    json.member("first_sample", std::uint64_t{samples.begin});
+    json.member("samples", std::uint64_t{samples.count()}).end_object();
+    json.key("rays").begin_object().key("primary").begin_object();
+    json.member("count", result.primary.rays).member("node_tests", result.primary.node_tests);
+    json.member("primitive_tests", result.primary.primitive_tests);
+    json.member("instance_tests", result.primary.instance_tests).end_object().end_object();
+    json.member("clamped", result.samples.clamped).member("not_a_number", result.samples.nan);
+    json.key("seconds").begin_object().key("parse").decimal(report.times.load);
+    json.key("flatten").decimal(report.times.flatten).key("build").decimal(report.times.build);
+    json.key("render").decimal(report.times.render).key("write").decimal(report.times.write);
+    json.end_object();
+    json.member("threads", std::uint64_t{result.thread_count});
+    json.member("peak_bytes", peak_bytes());
+    json.end_object();
+    return json.take() + "\n";
+}
+
+void print_stats(const RenderReport& report) {
+    switch (report.options.stats) {
+        case StatsFormat::none:
+            return;
+        case StatsFormat::text:
+            print_message(format_stats(report));
+            return;
+        case StatsFormat::json:
+            print_message(format_stats_json(report));
+            return;
+    }
+    LRAY_ASSERT(false);
 }
 
 }  // namespace lray::cli

@@ -1,9 +1,12 @@
-// What --stats prints.
+// What --stats prints: what was rendered, what the hierarchy is like, what it cost.
 #pragma once
 
 #include <chrono>
 #include <string>
 
+#include "bvh/accel.h"
+#include "cli/options.h"
+#include "cli/view.h"
 #include "render/render.h"
 #include "scene/world.h"
 
@@ -28,8 +31,23 @@ struct StageTimes {
     double write = 0.0;
 };
 
-/// Returns the lines of --stats: primitives, rays, times, speed, memory of the process so far.
-std::string format_stats(const scene::World& world, bvh::AccelKind accel,
-                         const render::RenderResult& result, const StageTimes& times);
+/// All that there is to say of a picture that was rendered.
+struct RenderReport {
+    const scene::World& world;
+    const Options& options;
+    const View& view;
+    const bvh::AccelStats& accel;
+    const render::RenderResult& result;
+    const StageTimes& times;
+};
+
+/// Returns the lines of --stats.
+std::string format_stats(const RenderReport& report);
+
+/// Returns the same for machines: one line of JSON.
+std::string format_stats_json(const RenderReport& report);
+
+/// Prints what `--stats` asks for: on stderr, since the picture may go to stdout.
+void print_stats(const RenderReport& report);
 
 }  // namespace lray::cli

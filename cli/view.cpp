@@ -56,11 +56,29 @@ std::optional<Failure> check_size(const View& view, const Options& options) {
     return std::nullopt;
 }
 
+/// Which samples of each pixel: the command line over the camera over the render block. The centre
+/// of a pixel is one place.
+render::SampleRange samples_of(const scene::Scene& scene, const scene::Camera* camera,
+                               const Options& options) {
+    if (options.position == render::PixelPosition::center) return {0, 1};
+    if (options.sample_range) {
+        const auto [begin, end] = *options.sample_range;
+        return {begin, std::min(end, options.samples.value_or(end))};
+    }
+    std::uint32_t count = scene.render.samples;
+    if (camera != nullptr) count = camera->samples.value_or(count);
+    return {0, options.samples.value_or(count)};
+}
+
 }  // namespace
 
 std::uint64_t View::pixel_count() const {
     const auto [width, height] = render_options.resolution;
     return render_options.crop ? render_options.crop->pixel_count() : std::uint64_t{width} * height;
+}
+
+std::uint64_t View::ray_count() const {
+    return pixel_count() * render_options.samples.count();
 }
 
 std::variant<View, Failure> choose_view(const scene::Scene& scene, const scene::World& world,
@@ -72,10 +90,11 @@ std::variant<View, Failure> choose_view(const scene::Scene& scene, const scene::
         });
         if (camera == scene.cameras.end()) return unknown_camera(scene, *options.camera_name);
     }
+    const bool has_camera = camera != scene.cameras.end();
     View view;
     view.render_options.resolution = scene.render.resolution;
     view.render_options.background = scene.render.background;
-    if (camera != scene.cameras.end()) {
+    if (has_camera) {
         view.camera = *camera;
         view.render_options.resolution =
             camera->resolution.value_or(view.render_options.resolution);
@@ -84,9 +103,15 @@ std::variant<View, Failure> choose_view(const scene::Scene& scene, const scene::
     }
     view.render_options.resolution = options.size.value_or(view.render_options.resolution);
     view.render_options.crop = options.crop;
+    view.render_options.samples = samples_of(scene, has_camera ? &*camera : nullptr, options);
+    view.render_options.position = options.position;
+    view.render_options.seed = options.seed.value_or(scene.render.seed);
+    view.render_options.shader = options.shader;
     view.render_options.thread_count = options.thread_count;
+    // Without a hierarchy a ray may take long: stopping must not wait for many.
+    if (options.accel == bvh::AccelKind::none) view.render_options.batch_size = 1;
     if (auto failure = check_size(view, options)) return *failure;
-    if (camera == scene.cameras.end()) {
+    if (!has_camera) {
         view.camera = render::fit_camera(finite_bounds(world), view.render_options.resolution);
     }
     return view;

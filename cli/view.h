@@ -1,4 +1,5 @@
-// Which camera, size and part of the picture: the command line over the camera over the scene.
+// Which camera, size, part of the picture and samples: the command line over the camera over the
+// scene.
 #pragma once
 
 #include <variant>
@@ -16,6 +17,7 @@ struct View {
     render::RenderOptions render_options{};
 
     std::uint64_t pixel_count() const;  // of the crop, if there is one
+    std::uint64_t ray_count() const;    // from the camera
 };
 
 /// Chooses the view. A scene without a camera gets one that sees all of the world.

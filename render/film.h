@@ -13,6 +13,12 @@ namespace lray::render {
 struct FilmCounts {
     std::uint64_t clamped = 0;  // brighter than Film::kMaxValue
     std::uint64_t nan = 0;      // not a number: added as black; our bug
+
+    FilmCounts& operator+=(const FilmCounts& other) {
+        clamped += other.clamped;
+        nan += other.nan;
+        return *this;
+    }
 };
 
 /// Sums of samples, each channel as an integer in Q31.32 (steps of 2^-32): integers add up to the

@@ -1,12 +1,9 @@
-// Tiles on threads. Each tile adds up its samples on a film of its own and resolves it into the
-// picture, so that memory beyond the picture does not grow with it.
+// Tiles on threads, in blocks of pixels. Each block adds up its samples on a film of its own and
+// resolves it into the picture, so that memory beyond the picture does not grow with it.
 #include "render/render.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,36 +11,48 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "render/camera_rays.h"
-#include "shade/flat.h"
+#include "render/sample_tracer.h"
+#include "render/threads.h"
 
 namespace lray::render {
 
 namespace {
 
-constexpr std::uint32_t kTileSize = 16;
+constexpr std::uint32_t kTileSize = 16;  // what a thread takes at a time
+constexpr std::uint32_t kBlockSize = 8;  // whose rays are traced together, sample by sample
 constexpr std::chrono::milliseconds kProgressPeriod{100};
 
-std::uint32_t tile_count_along(std::uint32_t pixel_count) {
-    return pixel_count / kTileSize + (pixel_count % kTileSize != 0 ? 1 : 0);
-}
+/// A grid of squares over an area, those at its right and lower edge cut off.
+struct Squares {
+    PixelRect area{};
+    std::uint32_t size = 1;
 
-PixelRect tile_rect(const PixelRect& area, std::uint64_t tile) {
-    const std::uint32_t columns = tile_count_along(area.width());
-    const std::uint32_t x = static_cast<std::uint32_t>(tile % columns) * kTileSize;
-    const std::uint32_t y = static_cast<std::uint32_t>(tile / columns) * kTileSize;
-    return {area.x0 + x, area.y0 + y, area.x0 + std::min(x + kTileSize, area.width()),
-            area.y0 + std::min(y + kTileSize, area.height())};
-}
+    std::uint64_t count() const {
+        return std::uint64_t{along(area.width())} * along(area.height());
+    }
 
-/// Counts pixels that are done and reports them now and then.
+    PixelRect at(std::uint64_t index) const {
+        const std::uint32_t columns = along(area.width());
+        const std::uint32_t x = static_cast<std::uint32_t>(index % columns) * size;
+        const std::uint32_t y = static_cast<std::uint32_t>(index / columns) * size;
+        return {area.x0 + x, area.y0 + y, area.x0 + std::min(x + size, area.width()),
+                area.y0 + std::min(y + size, area.height())};
+    }
+
+ private:
+    std::uint32_t along(std::uint32_t pixel_count) const {
+        return pixel_count / size + (pixel_count % size != 0 ? 1 : 0);
+    }
+};
+
+/// Counts samples that are done and reports them now and then.
 class ProgressMeter {
  public:
-    ProgressMeter(std::uint64_t total_pixels, const ProgressFunction& on_progress)
-        : total_(total_pixels), on_progress_(on_progress) {}
+    ProgressMeter(std::uint64_t total_samples, const ProgressFunction& on_progress)
+        : total_(total_samples), on_progress_(on_progress) {}
 
-    void add(std::uint64_t pixel_count) {
-        const std::uint64_t done = done_ += pixel_count;
+    void add(std::uint64_t sample_count) {
+        const std::uint64_t done = done_ += sample_count;
         if (!on_progress_) return;
         // Whoever finds another thread reporting goes on: nobody waits.
         const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -64,46 +73,57 @@ class ProgressMeter {
     std::chrono::steady_clock::time_point next_report_{};
 };
 
-/// What the tiles share. Each writes its own pixels of the picture.
-struct Job {
-    const scene::World& world;
-    const bvh::Accel& accel;
-    const RenderOptions& options;
-    const std::atomic<bool>& cancel;
-    CameraRays rays;
-    PixelRect area{};
-    RenderResult result{};
-    std::mutex counts_mutex{};
+/// What samples cost, and which were not added as they came.
+struct Tally {
+    bvh::TraceCounts primary{};
+    FilmCounts samples{};
 
-    void add_counts(const bvh::TraceCounts& counts, const FilmCounts& samples) {
-        const std::lock_guard lock(counts_mutex);
-        result.counts.rays += counts.rays;
-        result.counts.primitive_tests += counts.primitive_tests;
-        result.samples.clamped += samples.clamped;
-        result.samples.nan += samples.nan;
+    Tally& operator+=(const Tally& other) {
+        primary += other.primary;
+        samples += other.samples;
+        return *this;
     }
 };
 
-Color trace(const Job& job, DVec2 position_pixel, bvh::TraceCounts& counts) {
-    const Ray ray = job.rays.through(position_pixel);
-    const bvh::Hit hit = job.accel.nearest_hit(ray, Interval{}, counts);
-    return shade::flat(job.world, hit, job.options.background);
+/// What the tiles share. Each writes its own pixels of the picture.
+struct Job {
+    SampleTracer tracer;
+    PixelRect area{};
+    SampleRange samples{};
+    const std::atomic<bool>& cancel;
+    ProgressMeter progress;
+    RenderResult result{};
+    Tally tally{};
+    std::mutex tally_mutex{};
+};
+
+Tally render_block(Job& job, const PixelRect& block) {
+    Film film(block.width(), block.height());
+    Tally tally;
+    for (std::uint32_t sample = job.samples.begin; sample != job.samples.end; ++sample) {
+        const std::uint32_t done =
+            job.tracer.add_sample(block, sample, film, tally.primary, job.cancel);
+        if (done == 0) break;
+        job.progress.add(done);
+    }
+    for (std::uint32_t y = 0; y < block.height(); ++y) {
+        for (std::uint32_t x = 0; x < block.width(); ++x) {
+            job.result.image.at(block.x0 - job.area.x0 + x, block.y0 - job.area.y0 + y) =
+                film.resolve(x, y);
+        }
+    }
+    tally.samples = film.counts();
+    return tally;
 }
 
-void render_tile(Job& job, const PixelRect& tile, ProgressMeter& progress) {
-    Film film(tile.width(), tile.height());
-    bvh::TraceCounts counts;
-    for (std::uint32_t y = tile.y0; y < tile.y1; ++y) {
-        std::uint32_t x = tile.x0;
-        for (; x < tile.x1 && !job.cancel.load(std::memory_order_relaxed); ++x) {
-            const DVec2 position_pixel = DVec2{x + 0.5, y + 0.5};  // the centre
-            film.add(x - tile.x0, y - tile.y0, trace(job, position_pixel, counts));
-            job.result.image.at(x - job.area.x0, y - job.area.y0) =
-                film.resolve(x - tile.x0, y - tile.y0);
-        }
-        progress.add(x - tile.x0);
+void render_tile(Job& job, const PixelRect& tile) {
+    const Squares blocks{tile, kBlockSize};
+    Tally tally;
+    for (std::uint64_t block = 0; block != blocks.count(); ++block) {
+        tally += render_block(job, blocks.at(block));
     }
-    job.add_counts(counts, film.counts());
+    const std::lock_guard lock(job.tally_mutex);
+    job.tally += tally;
 }
 
 }  // namespace
@@ -112,37 +132,32 @@ RenderResult render(const scene::World& world, const bvh::Accel& accel, const sc
                     const RenderOptions& options, const ProgressFunction& on_progress,
                     const std::atomic<bool>& cancel) {
     const auto [width, height] = options.resolution;
-    Job job{world,
-            accel,
-            options,
-            cancel,
-            CameraRays(camera, options.resolution),
-            options.crop.value_or(PixelRect{0, 0, width, height})};
-    const PixelRect& area = job.area;
+    const PixelRect area = options.crop.value_or(PixelRect{0, 0, width, height});
     LRAY_ASSERT(area.x0 < area.x1 && area.x1 <= width && area.y0 < area.y1 && area.y1 <= height);
+    const SampleRange samples = options.samples;
+    LRAY_ASSERT(samples.begin < samples.end && samples.count() <= Film::kMaxSamples);
+    Job job{.tracer = SampleTracer(world, accel, camera, options),
+            .area = area,
+            .samples = samples,
+            .cancel = cancel,
+            .progress = ProgressMeter(area.pixel_count() * samples.count(), on_progress)};
     job.result.image = image::Image(area.width(), area.height());
+    job.result.thread_count = thread_count_of(options.thread_count);
 
-    const std::uint32_t thread_count =
-        options.thread_count != 0 ? options.thread_count
-                                  : static_cast<std::uint32_t>(tbb::info::default_concurrency());
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, thread_count);
-    tbb::task_arena arena(static_cast<int>(thread_count));
-
-    const std::uint64_t tile_count =
-        std::uint64_t{tile_count_along(area.width())} * tile_count_along(area.height());
-    ProgressMeter progress(area.pixel_count(), on_progress);
-    arena.execute([&] {
+    const Squares tiles{area, kTileSize};
+    with_threads(options.thread_count, [&] {
         tbb::parallel_for(
-            tbb::blocked_range<std::uint64_t>(0, tile_count),
-            [&](const tbb::blocked_range<std::uint64_t>& tiles) {
-                for (std::uint64_t tile = tiles.begin(); tile != tiles.end(); ++tile) {
-                    render_tile(job, tile_rect(area, tile), progress);
+            tbb::blocked_range<std::uint64_t>(0, tiles.count()),
+            [&](const tbb::blocked_range<std::uint64_t>& range) {
+                for (std::uint64_t tile = range.begin(); tile != range.end(); ++tile) {
+                    render_tile(job, tiles.at(tile));
                 }
             },
             tbb::simple_partitioner());
     });
-    job.result.thread_count = thread_count;
-    job.result.is_complete = progress.is_complete();
+    job.result.primary = job.tally.primary;
+    job.result.samples = job.tally.samples;
+    job.result.is_complete = job.progress.is_complete();
     return std::move(job.result);
 }
 

@@ -34,6 +34,7 @@ struct Camera {
     double aperture = 0.0;                   // diameter of the lens; 0: all is sharp
     std::optional<double> focus{};           // distance of what is sharp; empty: that of look_at
     std::optional<Resolution> resolution{};  // overrides RenderSettings
+    std::optional<std::uint32_t> samples{};  // likewise
     std::optional<Color> background{};       // likewise
     Span span{};
 };

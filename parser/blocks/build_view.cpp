@@ -38,6 +38,7 @@ std::optional<scene::Camera> build_camera(const PropertyValues& values, std::str
     constexpr std::size_t kProjection = slot(kCamera, "projection");
     constexpr std::size_t kHeight = slot(kCamera, "height");
     constexpr std::size_t kResolution = slot(kCamera, "resolution");
+    constexpr std::size_t kSamples = slot(kCamera, "samples");
     constexpr std::size_t kBackground = slot(kCamera, "background");
     scene::Camera camera;
     camera.name = std::string(name);
@@ -50,6 +51,7 @@ std::optional<scene::Camera> build_camera(const PropertyValues& values, std::str
     camera.projection = values.option<scene::Projection>(kProjection);
     camera.aperture = values.number(slot(kCamera, "aperture"));
     if (values.has(kResolution)) camera.resolution = resolution_of(values.vec2(kResolution));
+    if (values.has(kSamples)) camera.samples = values.integer(kSamples);
     camera.background = values.optional_color(kBackground);
 
     const DVec3 forward = camera.look_at - camera.position;

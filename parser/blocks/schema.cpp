@@ -135,8 +135,7 @@ struct FutureProperty {
     std::string_view name{};
 };
 
-constexpr std::array<FutureProperty, 4> kPropertiesNotYet = {{
-    {BlockKind::camera, "samples"},
+constexpr std::array<FutureProperty, 3> kPropertiesNotYet = {{
     {BlockKind::camera, "exposure"},
     {BlockKind::mesh, "smooth"},
     {BlockKind::mesh, "use_mtl"},

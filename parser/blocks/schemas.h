@@ -150,7 +150,7 @@ inline constexpr std::array<PropertySchema, 16> kMaterial = {{
     {"two_sided", boolean, "true", "lit from both sides", kAnyNumber, {1}},
 }};
 
-inline constexpr std::array<PropertySchema, 10> kCamera = {{
+inline constexpr std::array<PropertySchema, 11> kCamera = {{
     {"position", point, "[0, 0, 5]", "where the eye is", kAnyNumber, {0, 0, 5}},
     {"look_at", point, "[0, 0, 0]", "what is in the middle of the picture"},
     {"up", direction, "[0, 1, 0]", "what is up in the picture", kAnyNumber, {0, 1, 0}},
@@ -160,6 +160,7 @@ inline constexpr std::array<PropertySchema, 10> kCamera = {{
     {"aperture", number, "0", "diameter of the lens; 0: all is sharp", kNotNegative},
     {"focus", focus, "", "what is sharp, a point or a distance; without it `look_at`", kPositive},
     {"resolution", resolution, "", "as in `render`, for this view", {1.0, 1048576.0}},
+    {"samples", integer, "", "as in `render`, for this view", {1.0, 32768.0}},
     {"background", color, "", "as in `render`, for this view", kNotNegative},
 }};
 

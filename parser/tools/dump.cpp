@@ -150,6 +150,7 @@ class Dumper {
         if (camera.aperture != 0.0) block.add("aperture", camera.aperture);
         if (camera.focus) block.add("focus", *camera.focus);
         if (camera.resolution) block.add("resolution", size_text(*camera.resolution));
+        if (camera.samples) block.add("samples", fmt::to_string(*camera.samples));
         if (camera.background) block.add("background", exact_color(*camera.background));
         const std::string head =
             camera.name.empty() ? "camera" : fmt::format("camera {}", quoted(camera.name));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -22,6 +23,18 @@ TEST(JsonWriter, NestsWithCommasBetween) {
     json.number(2).begin_object().end_object().begin_array().end_array().null().string("x");
     json.end_array().member("c", "y").end_object();
     EXPECT_EQ(json.take(), R"({"a":1,"b":[2,{},[],null,"x"],"c":"y"})");
+}
+
+TEST(JsonWriter, DecimalsReadBackAsTheSameAndNanIsNull) {
+    for (const double value : {0.0, 0.1, -2.5, 1e300, 5e-324, 1.0 / 3.0, 12345678.0}) {
+        JsonWriter json;
+        json.decimal(value);
+        EXPECT_EQ(test::read_json(json.take()).number, value);
+    }
+    JsonWriter json;
+    json.begin_array().decimal(0.5).decimal(std::numeric_limits<double>::quiet_NaN());
+    json.decimal(std::numeric_limits<double>::infinity()).end_array();
+    EXPECT_EQ(json.take(), "[0.5,null,null]");
 }
 
 TEST(JsonWriter, StringsEscapeWhatJsonAndTerminalsMustNotSee) {

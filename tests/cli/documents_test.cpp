@@ -143,6 +143,24 @@ TEST(Documents, ScenesAreFormatted) {
     EXPECT_GT(count, 20u);
 }
 
+// The table of tests per ray is what --stats says.
+TEST(HierarchiesDocument, TestsPerRayAreThoseOfTheProgram) {
+    const std::string document = test::read_bytes(kTop + "/docs/hierarchies.md");
+    const std::regex row("\n\\| `(none|spheres|boxes)` \\| ([0-9.]+) \\| ([0-9.]+) \\|");
+    std::size_t row_count = 0;
+    for (auto at = std::sregex_iterator(document.begin(), document.end(), row);
+         at != std::sregex_iterator(); ++at) {
+        ++row_count;
+        const auto result = test::run_process(
+            {LRAY_BINARY, "-n", "2", "-ps", "1", "-i", kTop + "/examples/sphereflake.lrs", "--size",
+             "160x120", "-o", "-", "--stats", "--quiet", "--accel", (*at)[1].str()});
+        const std::string told = "tests        " + (*at)[2].str() + " nodes, " + (*at)[3].str() +
+                                 " primitives, 0.00 instances per ray\n";
+        EXPECT_THAT(result.err, testing::HasSubstr(told));
+    }
+    EXPECT_GE(row_count, 2u);
+}
+
 /// Files that a document links to, without those of the web.
 std::vector<std::string> links_of(const std::string& document) {
     std::vector<std::string> links;
@@ -156,8 +174,8 @@ std::vector<std::string> links_of(const std::string& document) {
 }
 
 TEST(Documents, LinkToFilesThatAreThere) {
-    for (const std::string document :
-         {"README.md", "grammar.md", "docs/diagnostics.md", "docs/guide.md"}) {
+    for (const std::string document : {"README.md", "grammar.md", "docs/diagnostics.md",
+                                       "docs/guide.md", "docs/hierarchies.md"}) {
         const std::filesystem::path path = std::filesystem::path(kTop) / document;
         for (const std::string& link : links_of(test::read_bytes(path.string()))) {
             EXPECT_TRUE(std::filesystem::exists(path.parent_path() / link))

@@ -11,6 +11,7 @@
 #include "cli/memory_limit.h"
 #include "image/compare.h"
 #include "image/read.h"
+#include "tests/support/json.h"
 #include "tests/support/process.h"
 #include "tests/support/temp_directory.h"
 
@@ -76,7 +77,7 @@ TEST_F(EndToEnd, FormatsAndStreamsShowTheSamePicture) {
     EXPECT_EQ(run({"scene.lrs", "-o", "a.data", "--format", "png"}).exit_code, 0);
     EXPECT_EQ(picture("a.png").pixels, picture("a.ppm").pixels);
     EXPECT_EQ(directory_.read("a.data"), directory_.read("a.png"));
-    const auto streamed = run({"-i", "-", "-o", "-", "-n", "1"}, kScene);
+    const auto streamed = run({"-i", "-", "-o", "-"}, kScene);
     EXPECT_EQ(streamed.exit_code, 0) << streamed.err;
     EXPECT_EQ(streamed.out, directory_.read("a.ppm"));
     EXPECT_EQ(streamed.err, "");
@@ -321,7 +322,10 @@ TEST_F(EndToEnd, WrongCommandLinesExit2) {
         {},
         {"scene.lrs"},
         {"-n", "1", "scene.lrs"},
-        {"-n", "2", "scene.lrs", "-o", "a.ppm"},
+        {"-n", "2", "scene.lrs"},
+        {"-n", "2", "scene.lrs", "-o", "a.ppm", "-ps", "0"},
+        {"scene.lrs", "-o", "a.ppm", "--shading", "full"},
+        {"scene.lrs", "-o", "a.ppm", "-ps", "4", "--samples", "4:8"},
         {"-n", "3", "scene.lrs"},
         {"scene.lrs", "-o", "a.gif"},
         {"scene.lrs", "-o", "a.ppm", "--acc", "none"},
@@ -425,11 +429,21 @@ TEST_F(EndToEnd, SamplesAtLevelOneWarnAndRender) {
 
 TEST_F(EndToEnd, StatsGoToStderr) {
     directory_.write("scene.lrs", kScene);
-    const auto result = run({"scene.lrs", "-o", "-", "--stats"});
-    EXPECT_EQ(result.exit_code, 0);
-    EXPECT_TRUE(result.out.starts_with("P6"));
-    EXPECT_TRUE(contains(result.err, "1 spheres")) << result.err;
-    EXPECT_TRUE(contains(result.err, "3072, 1.0 tests per ray")) << result.err;
+    for (const std::string accel : {"none", "spheres", "boxes"}) {
+        const auto result = run({"scene.lrs", "-o", "-", "-ps", "2", "--stats", "--accel", accel});
+        EXPECT_EQ(result.exit_code, 0);
+        EXPECT_TRUE(result.out.starts_with("P6"));
+        EXPECT_TRUE(contains(result.err, "1 spheres")) << result.err;
+        EXPECT_TRUE(contains(result.err, "hierarchy    " + accel)) << result.err;
+        EXPECT_TRUE(contains(result.err, "64 x 48 pixels, 2 samples each")) << result.err;
+        EXPECT_TRUE(contains(result.err, "6144 primary")) << result.err;
+        const auto machine =
+            run({"scene.lrs", "-o", "-", "--stats=json", "--accel", accel, "--quiet"});
+        EXPECT_EQ(machine.out.size(), result.out.size());
+        const test::Json json = test::read_json(machine.err);
+        EXPECT_EQ(json["hierarchy"]["kind"].string, accel);
+        EXPECT_EQ(json["rays"]["primary"]["count"].number, 3072.0);
+    }
 }
 
 /// A picture that takes minutes without a hierarchy, and the program at work on it.
@@ -442,8 +456,8 @@ class Interrupted : public EndToEnd {
         }
         directory_.write("scene.lrs", scene);
         directory_.write("image.png", "old");
-        process_.emplace(std::vector<std::string>{LRAY_BINARY, "scene.lrs", "-o", "image.png",
-                                                  "--size", "2000x2000"},
+        process_.emplace(std::vector<std::string>{LRAY_BINARY, "-n", "1", "scene.lrs", "-o",
+                                                  "image.png", "--size", "2000x2000"},
                          std::string_view{}, directory_.path());
         // The output is opened when the render begins: a temporary file appears beside it.
         for (int i = 0; i < 300 && directory_.names().size() < 3; ++i) {

@@ -78,7 +78,11 @@ TEST(Options, EveryValueReachesItsPlace) {
                                     "640x480",  "--crop",
                                     "1,2,3,4",  "--camera",
                                     "top view", "--accel",
-                                    "none",     "--stats",
+                                    "spheres",  "--quality",
+                                    "high",     "--shading",
+                                    "normals",  "--samples",
+                                    "2:9",      "--seed",
+                                    "123",      "--stats",
                                     "--quiet",  "--color",
                                     "never",    "--max-errors",
                                     "0",        "--format",
@@ -100,7 +104,12 @@ TEST(Options, EveryValueReachesItsPlace) {
     EXPECT_EQ(options.crop->x1, 3u);
     EXPECT_EQ(options.crop->y1, 4u);
     EXPECT_EQ(options.camera_name, "top view");
-    EXPECT_TRUE(options.stats);
+    EXPECT_EQ(options.accel, bvh::AccelKind::spheres);
+    EXPECT_EQ(options.quality, bvh::BuildQuality::high);
+    EXPECT_EQ(options.shader, shade::Shader::normals);
+    EXPECT_EQ(options.sample_range, (render::SampleRange{2, 9}));
+    EXPECT_EQ(options.seed, 123u);
+    EXPECT_EQ(options.stats, StatsFormat::text);
     EXPECT_TRUE(options.quiet);
     EXPECT_EQ(options.color, ColorMode::never);
     EXPECT_EQ(options.max_errors, 0u);
@@ -219,7 +228,7 @@ TEST(Options, SlipsAreUnderstood) {
 TEST(Options, MissingAndSuperfluousValues) {
     EXPECT_EQ(failed({"a.lrs", "-o"}).message, "`-o` needs a value: `-o FILE`");
     EXPECT_EQ(failed({"--size"}).message, "`--size` needs a value: `--size WxH`");
-    EXPECT_EQ(failed({"--stats=3"}).message, "`--stats` takes no value");
+    EXPECT_EQ(failed({"--quiet=3"}).message, "`--quiet` takes no value");
     EXPECT_EQ(failed({"-o", ""}).message, "`-o` needs a file name, not an empty text");
     EXPECT_EQ(failed({""}).message, "the scene's file name is empty");
 }
@@ -257,6 +266,23 @@ TEST(Options, WrongValuesSayWhatIsTaken) {
     EXPECT_EQ(failed({"--frames", "3:2"}).message, "`--frames` `3:2` ends before it begins");
     EXPECT_EQ(failed({"--accel", "kd"}).message,
               "`--accel` takes none, spheres or boxes, not `kd`");
+    EXPECT_EQ(failed({"--quality", "best"}).message,
+              "`--quality` takes low, medium or high, not `best`");
+    EXPECT_EQ(failed({"--shading", "phong"}).message,
+              "`--shading` takes flat, normals, depth or cost, not `phong`");
+    EXPECT_EQ(failed({"--stats=3"}).message, "`--stats` takes nothing or json, not `3`");
+    EXPECT_EQ(failed({"--seed", "-3"}).message, "`--seed` takes a whole number from 0, not `-3`");
+    for (const char* range : {"3", "3:", ":3", "a:b", "1:2:3", "-1:2", "0:32769"}) {
+        EXPECT_EQ(failed({"--samples", range}).message,
+                  std::string("`--samples` takes the first sample and the one behind the last like "
+                              "`0:16`, up to 32768, not `") +
+                      range + "`");
+    }
+    for (const char* range : {"3:3", "3:2"}) {
+        EXPECT_EQ(
+            failed({"--samples", range}).message,
+            std::string("`--samples` `") + range + "` holds no sample: A must be less than B");
+    }
     for (const char* size :
          {"800", "800x", "x600", "0x600", "800x600x3", "8 x 6", "2147483648x1"}) {
         EXPECT_EQ(failed({"--size", size}).message,
@@ -275,19 +301,61 @@ TEST(Options, WrongValuesSayWhatIsTaken) {
 }
 
 TEST(Options, WhatThisVersionLacksIsSaidWithWhatItHas) {
-    for (const char* level : {"2", "3"}) {
-        const std::string message = failed({"-n", level, "a.lrs", "-o", "a.ppm"}).message;
-        EXPECT_NE(message.find("not available in this version"), std::string::npos) << message;
-        EXPECT_NE(message.find("`-n 1`"), std::string::npos) << message;
-    }
-    for (const char* accel : {"spheres", "boxes"}) {
-        const std::string message = failed({"a.lrs", "-o", "a.ppm", "--accel", accel}).message;
-        EXPECT_NE(message.find("not available in this version"), std::string::npos) << message;
-        EXPECT_NE(message.find("`--accel none`"), std::string::npos) << message;
+    EXPECT_EQ(
+        failed({"-n", "3", "a.lrs", "-o", "a.ppm"}).message,
+        "`-n` 3 is not available in this version; `-n 1` and `-n 2` are, which write a picture");
+    for (const char* shading : {"full", "uv"}) {
+        EXPECT_EQ(failed({"a.lrs", "-o", "a.ppm", "--shading", shading}).message,
+                  std::string("`--shading` ") + shading +
+                      " is not available in this version; flat, normals, depth and cost are");
     }
     const Failure window = failed({"rooms/hall.lrs"});
     EXPECT_NE(window.message.find("not available in this version"), std::string::npos);
-    EXPECT_EQ(window.help, "lray -n 1 -i rooms/hall.lrs -o hall.ppm");
+    EXPECT_EQ(window.help, "lray -i rooms/hall.lrs -o hall.ppm");
+}
+
+TEST(Options, LevelTwoWithoutOutputShowsTheFix) {
+    const Failure failure = failed({"-n", "2", "-ps", "4", "-i", "a.lrs"});
+    EXPECT_EQ(failure.message, "level 2 writes a picture; say where with `-o`");
+    EXPECT_EQ(failure.help, "lray -n 2 -i a.lrs -o a.ppm");
+}
+
+TEST(Options, ALevelIsASetOfDefaults) {
+    const Options first = parsed({"-n", "1", "a.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(first.accel, bvh::AccelKind::none);
+    EXPECT_EQ(first.position, render::PixelPosition::center);
+    const Options second = parsed({"-n", "2", "-ps", "16", "a.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(second.accel, bvh::AccelKind::spheres);
+    EXPECT_EQ(second.position, render::PixelPosition::random);
+    EXPECT_EQ(second.samples, 16u);
+    EXPECT_TRUE(second.warnings.empty());
+    const Options none_given = parsed({"a.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(none_given.accel, bvh::AccelKind::boxes);
+    EXPECT_EQ(none_given.position, render::PixelPosition::random);
+    EXPECT_EQ(none_given.shader, shade::Shader::flat);
+}
+
+TEST(Options, WhatIsGivenByHandOverridesTheLevel) {
+    EXPECT_EQ(parsed({"-n", "1", "a.lrs", "-o", "a.ppm", "--accel", "boxes"}).accel,
+              bvh::AccelKind::boxes);
+    EXPECT_EQ(parsed({"--accel", "none", "-n", "2", "a.lrs", "-o", "a.ppm"}).accel,
+              bvh::AccelKind::none);
+    EXPECT_EQ(parsed({"--accel", "none", "a.lrs", "-o", "a.ppm"}).accel, bvh::AccelKind::none);
+    EXPECT_EQ(parsed({"-n", "1", "a.lrs", "-o", "a.ppm", "--shading", "cost"}).shader,
+              shade::Shader::cost);
+}
+
+TEST(Options, StatsMayNameAForm) {
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm"}).stats, StatsFormat::none);
+    EXPECT_EQ(parsed({"--stats", "a.lrs", "-o", "a.ppm"}).stats, StatsFormat::text);
+    EXPECT_EQ(parsed({"--stats=json", "a.lrs", "-o", "a.ppm"}).stats, StatsFormat::json);
+}
+
+TEST(Options, SamplesBehindTheLastAreAUsageError) {
+    const Failure failure = failed({"a.lrs", "-o", "a.ppm", "-ps", "16", "--samples", "16:32"});
+    EXPECT_EQ(failure.message, "`--samples 16:32` begins behind the last of `-ps 16`");
+    EXPECT_EQ(failure.help, "they count from 0; without `-ps` the range alone says which");
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm", "-ps", "16", "--samples", "15:32"}).samples, 16u);
 }
 
 TEST(Options, LevelOneWithoutOutputShowsTheFix) {
@@ -331,6 +399,13 @@ TEST(Options, SamplesAtLevelOneWarn) {
                   "`-ps 16` is ignored: level 1 sends one ray through the centre of each pixel");
     }
     EXPECT_TRUE(parsed({"-n", "1", "-ps", "1", "a.lrs", "-o", "a.ppm"}).warnings.empty());
+    const Options others =
+        parsed({"-n", "1", "--samples", "0:4", "--seed", "3", "a.lrs", "-o", "a.ppm"});
+    ASSERT_EQ(others.warnings.size(), 2u);
+    EXPECT_TRUE(others.warnings[0].starts_with("`--samples 0:4` is ignored: level 1"));
+    EXPECT_TRUE(others.warnings[1].starts_with("`--seed 3` is ignored: level 1"));
+    EXPECT_TRUE(parsed({"-n", "2", "--samples", "0:4", "--seed", "3", "a.lrs", "-o", "a.ppm"})
+                    .warnings.empty());
 }
 
 TEST(Options, NamesAreUniqueAndAllAreInTheHelp) {

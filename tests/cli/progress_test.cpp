@@ -63,6 +63,19 @@ TEST(Progress, LabelStandsBeforeBarAndLines) {
     EXPECT_EQ(Progress(ProgressStyle::lines).begin(), "");
 }
 
+TEST(Progress, BuildingIsToldWhenItTakesAWhile) {
+    Progress bar(ProgressStyle::bar);
+    EXPECT_EQ(bar.building(99'999), "");
+    EXPECT_EQ(bar.finish(), "");
+    EXPECT_EQ(bar.building(100'000), "\r\x1b[Kbuilding the hierarchy of 100000 primitives");
+    EXPECT_EQ(bar.finish(), "\r\x1b[K");
+    Progress lines(ProgressStyle::lines, "frame 3 of 8");
+    EXPECT_EQ(lines.building(200'000),
+              "frame 3 of 8: building the hierarchy of 200000 primitives\n");
+    EXPECT_EQ(lines.finish(), "");
+    EXPECT_EQ(Progress(ProgressStyle::silent).building(200'000), "");
+}
+
 TEST(FormatDuration, SecondsMinutesHours) {
     EXPECT_EQ(format_duration(0.0), "0:00");
     EXPECT_EQ(format_duration(6.2), "0:07");

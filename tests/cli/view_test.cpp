@@ -13,6 +13,8 @@ scene::Scene scene_with_cameras() {
     scene::Scene scene;
     scene.render.resolution = {400, 300};
     scene.render.background = kRed;
+    scene.render.samples = 4;
+    scene.render.seed = 77;
     scene::Camera front;
     front.name = "front";
     front.position = {0.0, 0.0, 1.0};
@@ -21,6 +23,7 @@ scene::Scene scene_with_cameras() {
     top.position = {0.0, 2.0, 0.1};
     top.resolution = scene::Resolution{50, 40};
     top.background = kBlue;
+    top.samples = 9;
     scene.cameras = {front, top};
     return scene;
 }
@@ -68,6 +71,46 @@ TEST(ChooseView, CommandLineOverridesTheCamera) {
     const View view = chosen(scene_with_cameras(), options);
     EXPECT_EQ(view.render_options.resolution, (scene::Resolution{7, 5}));
     EXPECT_EQ(view.render_options.thread_count, 3u);
+}
+
+TEST(ChooseView, SamplesOfTheCommandLineThenTheCameraThenTheRenderBlock) {
+    using Range = render::SampleRange;
+    const scene::Scene scene = scene_with_cameras();
+    const auto samples = [&](const Options& options) {
+        return chosen(scene, options).render_options.samples;
+    };
+    Options options;
+    EXPECT_EQ(samples(options), (Range{0, 4}));
+    EXPECT_EQ(chosen(scene, options).ray_count(), 480'000u);
+    options.camera_name = "top";
+    EXPECT_EQ(samples(options), (Range{0, 9}));
+    options.samples = 16;
+    EXPECT_EQ(samples(options), (Range{0, 16}));
+    options.sample_range = Range{3, 12};
+    EXPECT_EQ(samples(options), (Range{3, 12}));
+    options.sample_range = Range{3, 200};
+    EXPECT_EQ(samples(options), (Range{3, 16})) << "the first limit reached ends it";
+    options.samples.reset();
+    EXPECT_EQ(samples(options), (Range{3, 200}));
+    options.position = render::PixelPosition::center;
+    EXPECT_EQ(samples(options), (Range{0, 1})) << "level 1";
+    EXPECT_EQ(chosen({}, {}).render_options.samples, (Range{0, 1})) << "the default";
+}
+
+TEST(ChooseView, SeedShaderAndPositionReachTheRender) {
+    Options options;
+    EXPECT_EQ(chosen(scene_with_cameras(), options).render_options.seed, 77u);
+    options.seed = 0;
+    options.shader = shade::Shader::depth;
+    options.position = render::PixelPosition::center;
+    options.accel = bvh::AccelKind::spheres;
+    const render::RenderOptions given = chosen(scene_with_cameras(), options).render_options;
+    EXPECT_EQ(given.seed, 0u);
+    EXPECT_EQ(given.shader, shade::Shader::depth);
+    EXPECT_EQ(given.position, render::PixelPosition::center);
+    EXPECT_GT(given.batch_size, 1u);
+    options.accel = bvh::AccelKind::none;
+    EXPECT_EQ(chosen(scene_with_cameras(), options).render_options.batch_size, 1u);
 }
 
 TEST(ChooseView, UnknownCameraIsAUsageErrorThatNamesTheOthers) {

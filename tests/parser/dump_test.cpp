@@ -27,11 +27,13 @@ std::string formatted(const std::string& text) {
 std::string views_text(const scene::Scene& scene) {
     std::string text;
     for (const scene::Camera& camera : scene.cameras) {
-        text += fmt::format("{} {} {} {} {} {}\n", camera.name, camera.position.x, camera.fov,
-                            camera.height, camera.aperture, camera.focus.value_or(-1.0));
+        text += fmt::format("{} {} {} {} {} {} {}\n", camera.name, camera.position.x, camera.fov,
+                            camera.height, camera.aperture, camera.focus.value_or(-1.0),
+                            camera.samples.value_or(0));
     }
-    return text + fmt::format("{} {} {} {} {}", scene.render.resolution.width, scene.render.seed,
-                              scene.render.exposure, scene.render.background.x, scene.info.size());
+    return text + fmt::format("{} {} {} {} {} {}", scene.render.resolution.width,
+                              scene.render.samples, scene.render.seed, scene.render.exposure,
+                              scene.render.background.x, scene.info.size());
 }
 
 /// Checks the dump of a scene that stands in a file, in whose directory the dump is put.
@@ -80,9 +82,9 @@ std::vector<std::string> copied_scenes(const char* name, const TempDirectory& di
 constexpr std::string_view kProgram = R"(
 param n = 5
 info { title: "a \"dump\"", license: "CC0" }
-render { resolution: [64, 48], background: #336699, exposure: 0.5, seed: 7 }
+render { resolution: [64, 48], samples: 5, background: #336699, exposure: 0.5, seed: 7 }
 camera "main" { position: [3, 4, 9], look_at: [0, 1, 0], fov: 37.3, focus: [0, 1, 0], aperture: 0.1 }
-camera { projection: "orthographic", height: 3.3 }
+camera { projection: "orthographic", height: 3.3, samples: 12 }
 let red = material { diffuse: crimson, shininess: 12.5, reflect: 0.1 }
 let same = material { diffuse: crimson, shininess: 12.5, reflect: 0.1 }
 let stone = marble { a: #ccc, b: 0.1, scale: 0.3, rotate: [10, 20, 30], translate: [1, 2, 3] }

@@ -237,7 +237,9 @@ TEST(Instances, ACopyInAnExpressionOverridesAndKeepsTheRest) {
 
 TEST(Cameras, AllAreKeptInOrder) {
     const scene::Scene scene = right(
-        "camera \"front\" { position: [0, 0, 9], fov: 40, resolution: [64, 48], background: red }\n"
+        "camera \"front\" { position: [0, 0, 9], fov: 40, resolution: [64, 48], samples: 9, "
+        "background: red "
+        "}\n"
         "camera { position: [1, 2, 3], look_at: [1, 0, 0], up: [0, 0, -1], projection: "
         "\"orthographic\", height: 7 }\ncamera { }\nsphere { }");
     ASSERT_EQ(scene.cameras.size(), 3u);
@@ -245,6 +247,7 @@ TEST(Cameras, AllAreKeptInOrder) {
     EXPECT_EQ(scene.cameras[0].position, DVec3(0, 0, 9));
     EXPECT_DOUBLE_EQ(scene.cameras[0].fov, radians(40.0));
     EXPECT_EQ(scene.cameras[0].resolution, (scene::Resolution{64, 48}));
+    EXPECT_EQ(scene.cameras[0].samples, 9u);
     EXPECT_EQ(scene.cameras[0].background, Color(1, 0, 0));
     EXPECT_EQ(scene.cameras[1].projection, scene::Projection::orthographic);
     EXPECT_EQ(scene.cameras[1].height, 7.0);
@@ -254,6 +257,7 @@ TEST(Cameras, AllAreKeptInOrder) {
     EXPECT_EQ(scene.cameras[2].look_at, standard.look_at);
     EXPECT_DOUBLE_EQ(scene.cameras[2].fov, standard.fov);
     EXPECT_FALSE(scene.cameras[2].resolution);
+    EXPECT_FALSE(scene.cameras[2].samples);
 }
 
 TEST(Settings, RenderAndInfoAreTaken) {

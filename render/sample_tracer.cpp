@@ -1,0 +1,81 @@
+#include "render/sample_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "base/assert.h"
+#include "render/pixel_sample.h"
+
+namespace lray::render {
+
+namespace {
+
+constexpr std::uint32_t kMaxBatchSize = 64;
+
+/// Rays that are traced together. Each may meet anything: no interval is ever changed.
+struct Batch {
+    std::array<Ray, kMaxBatchSize> rays;
+    std::array<Interval, kMaxBatchSize> intervals;
+    std::array<bvh::Hit, kMaxBatchSize> hits;
+    std::array<bvh::TraceCounts, kMaxBatchSize> counts;  // of each ray, where its cost is shown
+};
+
+bvh::TraceCounts trace(const bvh::Accel& accel, Batch& batch, std::size_t size,
+                       bool is_cost_shown) {
+    bvh::TraceCounts counts;
+    if (!is_cost_shown) {
+        accel.nearest_hits(std::span(batch.rays).first(size),
+                           std::span(batch.intervals).first(size),
+                           std::span(batch.hits).first(size), counts);
+        return counts;
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+        batch.counts[i] = {};
+        batch.hits[i] = accel.nearest_hit(batch.rays[i], batch.intervals[i], batch.counts[i]);
+        counts += batch.counts[i];
+    }
+    return counts;
+}
+
+}  // namespace
+
+SampleTracer::SampleTracer(const scene::World& world, const bvh::Accel& accel,
+                           const scene::Camera& camera, const RenderOptions& options)
+    : accel_(accel),
+      rays_(camera, options.resolution),
+      options_(options),
+      shading_{world, options.shader, options.background,
+               shade::depth_unit(camera.position, camera.look_at)} {
+    LRAY_ASSERT(options.batch_size > 0);
+    options_.batch_size = std::min(options.batch_size, kMaxBatchSize);
+}
+
+std::uint32_t SampleTracer::add_sample(const PixelRect& part, std::uint32_t sample, Film& film,
+                                       bvh::TraceCounts& counts,
+                                       const std::atomic<bool>& cancel) const {
+    LRAY_DCHECK(film.width() == part.width() && film.height() == part.height());
+    const auto pixel_count = static_cast<std::uint32_t>(part.pixel_count());
+    const bool is_cost_shown = options_.shader == shade::Shader::cost;
+    Batch batch;
+    std::uint32_t done = 0;
+    while (done < pixel_count && !cancel.load(std::memory_order_relaxed)) {
+        const std::uint32_t size = std::min(options_.batch_size, pixel_count - done);
+        for (std::uint32_t i = 0; i < size; ++i) {
+            const std::uint32_t x = part.x0 + (done + i) % part.width();
+            const std::uint32_t y = part.y0 + (done + i) / part.width();
+            batch.rays[i] =
+                rays_.through(sample_position(options_.position, options_.seed, x, y, sample));
+        }
+        counts += trace(accel_, batch, size, is_cost_shown);
+        for (std::uint32_t i = 0; i < size; ++i) {
+            const Color color =
+                shade::shade(shading_, batch.rays[i], batch.hits[i], batch.counts[i]);
+            film.add((done + i) % part.width(), (done + i) / part.width(), color);
+        }
+        done += size;
+    }
+    return done;
+}
+
+}  // namespace lray::render

@@ -1,0 +1,37 @@
+// Samples of a few pixels: their rays, what they hit, its colour, onto a film.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "bvh/accel.h"
+#include "render/camera_rays.h"
+#include "render/film.h"
+#include "render/options.h"
+#include "scene/camera.h"
+#include "scene/world.h"
+#include "shade/shader.h"
+
+namespace lray::render {
+
+/// What all samples of a view have in common. Const calls are thread-safe. The world and the
+/// hierarchy must outlive it.
+class SampleTracer {
+ public:
+    SampleTracer(const scene::World& world, const bvh::Accel& accel, const scene::Camera& camera,
+                 const RenderOptions& options);
+
+    /// Adds one sample of each pixel of a part of the full picture to a film of its size, row by
+    /// row, and their cost to `counts`. Returns how many it added: fewer than all once `cancel` is
+    /// set.
+    std::uint32_t add_sample(const PixelRect& part, std::uint32_t sample, Film& film,
+                             bvh::TraceCounts& counts, const std::atomic<bool>& cancel) const;
+
+ private:
+    const bvh::Accel& accel_;
+    CameraRays rays_;
+    RenderOptions options_;
+    shade::ShadeInput shading_;
+};
+
+}  // namespace lray::render

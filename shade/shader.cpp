@@ -1,0 +1,25 @@
+#include "shade/shader.h"
+
+#include "base/assert.h"
+#include "shade/cost.h"
+#include "shade/flat.h"
+#include "shade/normals.h"
+
+namespace lray::shade {
+
+Color shade(const ShadeInput& input, const Ray& ray, const bvh::Hit& hit,
+            const bvh::TraceCounts& counts) {
+    switch (input.shader) {
+        case Shader::flat:
+            return flat(input.world, hit, input.background);
+        case Shader::normals:
+            return normals(input.world, ray, hit);
+        case Shader::depth:
+            return depth(hit, input.depth_unit);
+        case Shader::cost:
+            return cost(counts);
+    }
+    LRAY_ASSERT(false);
+}
+
+}  // namespace lray::shade

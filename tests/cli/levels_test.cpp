@@ -1,0 +1,154 @@
+// The levels and hierarchies of the program as people run it: what a level chooses, and that what
+// is chosen changes the time and not the picture.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "image/read.h"
+#include "tests/support/json.h"
+#include "tests/support/process.h"
+#include "tests/support/temp_directory.h"
+
+namespace lray {
+namespace {
+
+constexpr const char* kScene =
+    "render { resolution: [64, 48] }\n"
+    "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n"
+    "sphere { radius: 1 }\n";
+
+/// A scene of all kinds: quadrics, meshes, instances.
+const std::string kStillLife = std::string(LRAY_SOURCE_DIR) + "/examples/still_life.lrs";
+
+class Levels : public testing::Test {
+ protected:
+    /// Runs the program in the directory of the test.
+    test::ProcessResult run(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), LRAY_BINARY);
+        return test::run_process(arguments, {}, directory_.path());
+    }
+
+    image::Image picture(std::string_view name) {
+        const std::string bytes = directory_.read(name);
+        std::string error;
+        auto image = image::read_image(std::as_bytes(std::span(bytes)), {}, error);
+        EXPECT_TRUE(image) << error;
+        return image.value_or(image::Image{});
+    }
+
+    test::TempDirectory directory_;
+};
+
+TEST_F(Levels, LevelTwoSmoothsEdges) {
+    directory_.write("scene.lrs", kScene);
+    const auto result = run({"-n", "2", "-ps", "16", "-i", "scene.lrs", "-o", "image.ppm"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "");
+    ASSERT_EQ(run({"-n", "1", "-i", "scene.lrs", "-o", "hard.ppm"}).exit_code, 0);
+    const image::Image smooth = picture("image.ppm");
+    const image::Image hard = picture("hard.ppm");
+    EXPECT_EQ(smooth.at(32, 24), hard.at(32, 24));
+    EXPECT_EQ(smooth.at(0, 0), hard.at(0, 0));
+    const auto shades = [](const image::Image& image) {
+        std::set<float> values;
+        for (const Color& pixel : image.pixels) values.insert(pixel.r);
+        return values.size();
+    };
+    EXPECT_EQ(shades(hard), 2u);
+    EXPECT_GT(shades(smooth), 8u);
+    EXPECT_LE(shades(smooth), 17u) << "from none to all of 16 samples";
+}
+
+TEST_F(Levels, SamplesOfTheSceneCountWithoutTheOption) {
+    directory_.write("scene.lrs",
+                     std::string(kScene) + "camera \"fine\" { position: [0, 0, 5], samples: 3 }\n");
+    const auto samples = [&](std::vector<std::string> options) {
+        std::vector<std::string> arguments{"scene.lrs", "-o", "a.ppm", "--stats=json", "--quiet"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const auto result = run(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return test::read_json(result.err)["picture"]["samples"].number;
+    };
+    EXPECT_EQ(samples({}), 1.0);
+    EXPECT_EQ(samples({"--camera", "fine"}), 3.0);
+    EXPECT_EQ(samples({"--camera", "fine", "-ps", "2"}), 2.0);
+    EXPECT_EQ(samples({"--camera", "fine", "--samples", "1:5"}), 4.0);
+    EXPECT_EQ(samples({"--camera", "fine", "-n", "1"}), 1.0);
+}
+
+TEST_F(Levels, LevelTwoIsTheSameForThreadsAndCropsAndHierarchies) {
+    const std::vector<std::string> base{"-n", "2", "-ps", "3", kStillLife, "--size", "97x61"};
+    const auto rendered = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), base.begin(), base.end());
+        const auto result = run(options);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+    };
+    rendered({"-o", "a.ppm", "--threads", "1"});
+    rendered({"-o", "b.ppm", "--threads", "7"});
+    EXPECT_TRUE(directory_.read("a.ppm") == directory_.read("b.ppm"));
+    rendered({"-o", "c.ppm", "--crop", "31,17,80,50"});
+    const image::Image whole = picture("a.ppm");
+    const image::Image crop = picture("c.ppm");
+    ASSERT_EQ(crop.width, 49u);
+    for (std::uint32_t y = 0; y < crop.height; ++y) {
+        for (std::uint32_t x = 0; x < crop.width; ++x) {
+            ASSERT_EQ(crop.at(x, y), whole.at(x + 31, y + 17)) << x << ", " << y;
+        }
+    }
+    rendered({"-o", "d.ppm", "--seed", "5"});
+    EXPECT_FALSE(directory_.read("a.ppm") == directory_.read("d.ppm")) << "the seed counts";
+    rendered({"-o", "e.ppm", "--samples", "0:3"});
+    EXPECT_TRUE(directory_.read("a.ppm") == directory_.read("e.ppm"));
+}
+
+// Every shader but the one that shows the hierarchy at work.
+TEST_F(Levels, EveryHierarchyGivesTheSameBytesOfEveryExample) {
+    const std::filesystem::path examples = std::string(LRAY_SOURCE_DIR) + "/examples";
+    std::size_t scene_count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(examples)) {
+        if (entry.path().extension() != ".lrs") continue;
+        ++scene_count;
+        for (const std::string shading : {"flat", "normals", "depth"}) {
+            std::vector<std::string> pictures;
+            for (const std::string accel : {"none", "spheres", "boxes"}) {
+                std::vector<std::string> command{"-n",        "2",
+                                                 "-ps",       "2",
+                                                 "-o",        "-",
+                                                 "--size",    "36x27",
+                                                 "--accel",   accel,
+                                                 "--shading", shading,
+                                                 "--quiet",   entry.path().string()};
+                // Without a hierarchy its 41 405 primitives would take most of the time.
+                if (entry.path().stem() == "terrain") {
+                    for (const char* word : {"-D", "detail=25", "-D", "trees=40"}) {
+                        command.push_back(word);
+                    }
+                }
+                const auto result = run(command);
+                EXPECT_EQ(result.exit_code, 0) << result.err;
+                pictures.push_back(result.out);
+            }
+            EXPECT_GT(std::set<char>(pictures[0].begin(), pictures[0].end()).size(), 10u);
+            EXPECT_TRUE(pictures[0] == pictures[1]) << entry.path() << " spheres " << shading;
+            EXPECT_TRUE(pictures[0] == pictures[2]) << entry.path() << " boxes " << shading;
+        }
+    }
+    EXPECT_GE(scene_count, 7u);
+}
+
+TEST_F(Levels, CostShowsWhatAHierarchySaves) {
+    const auto brightness = [&](const std::string& accel) {
+        const auto result = run({kStillLife, "-o", "a.ppm", "--size", "60x45", "--shading", "cost",
+                                 "--accel", accel, "--quiet"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        float red = 0.0f;  // from 64 tests on
+        for (const Color& pixel : picture("a.ppm").pixels) red += pixel.r;
+        return red;
+    };
+    EXPECT_GT(brightness("none"), 10.0f * brightness("spheres") + 1.0f);
+}
+
+}  // namespace
+}  // namespace lray

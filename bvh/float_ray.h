@@ -6,20 +6,37 @@
 
 namespace lray::bvh {
 
-/// Shape: [axis]. Made by prepare() of prepared_ray.h.
-struct FloatRay {
+/// The inverse of 0: it gives no NaN, and by it a box on whose face a ray runs is not left.
+inline constexpr float kMaxInverse = 3e37f;
+
+/// A box counts as left by so much later than computed. The slabs have three roundings, gamma(3);
+/// the sheared vertices of the triangle kernel are off by as much again; the rest is room to spare.
+/// Source: Ize 2013, "Robust BVH Ray Traversal", sec. 3.
+inline constexpr float kSlabSlack = 0x1p-19f;
+inline constexpr float kExitFactor = 1.0f + kSlabSlack;
+
+/// How far the two origins lie from the true one, in parts of it and at least: times kMaxInverse,
+/// that is farther than the world reaches.
+inline constexpr float kOriginSlack = 0x1p-22f;
+inline constexpr float kLeastOriginSlack = 0x1p-60f;
+
+/// Shape: [axis]; the fourth is there for vectors of four and has a direction of 1. Made by
+/// set_out() and prepare_floats() of prepared_ray.h.
+struct alignas(16) FloatRay {
+    float origin_float[4];
+    float dir_float[4];
+
     // Slabs: 1 / dir, at most kMaxInverse; and the origin as the planes of a box see it that the
     // ray passes first (near) and last (far), moved apart by its error.
-    float origin_near[3];
-    float origin_far[3];
-    float inv_dir[3];
-    float inv_dir_far[3];        // larger by the slack of slabs: it makes them be left later
-    std::uint32_t near_side[3];  // of a box, that the ray passes first: 0 the lower, 1 the upper
+    float origin_near[4];
+    float origin_far[4];
+    float inv_dir[4];
+    float inv_dir_far[4];        // larger by the slack of slabs: it makes them be left later
+    std::uint32_t near_side[4];  // of a box, that the ray passes first: 0 the lower, 1 the upper
 
     // Triangles: axes[2] is the one along which the ray runs fastest, and adding
     // (-shear_x, -shear_y) z to the x and y of a vertex (along axes[0], axes[1], z along axes[2],
     // relative to the origin) makes the ray the z axis.
-    float origin_float[3];
     std::uint32_t axes[3];
     float shear_x;
     float shear_y;

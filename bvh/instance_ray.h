@@ -7,10 +7,17 @@
 
 namespace lray::bvh {
 
-/// Returns the ray in the space of the instance's prototype; t stays the world's.
-inline PreparedRay ray_in(const scene::WorldInstance& instance, const PreparedRay& ray) {
+/// Returns the ray as it sets out in the space of the instance's prototype; t stays the world's.
+inline PreparedRay set_out_in(const scene::WorldInstance& instance, const PreparedRay& ray) {
     const ObjectRay local = object_ray(instance.frame, ray);
-    return prepare(local.origin, local.dir);
+    return set_out(local.origin, local.dir);
+}
+
+/// Likewise, all of it.
+inline PreparedRay ray_in(const scene::WorldInstance& instance, const PreparedRay& ray) {
+    PreparedRay result = set_out_in(instance, ray);
+    prepare_floats(result);
+    return result;
 }
 
 /// Returns the part of an interval in which hits of an instance count: where the ray is in its

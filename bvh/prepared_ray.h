@@ -12,71 +12,65 @@ namespace lray::bvh {
 /// NaN and a direction of 0 make NaN shears: no primitive is hit.
 /// Source: Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", sec. 3.
 struct PreparedRay : FloatRay {
-    DVec3 origin{};
-    DVec3 dir{};
+    DVec3 origin;
+    DVec3 dir;
 };
-
-/// The inverse of 0: it gives no NaN, and by it a box on whose face a ray runs is not left.
-inline constexpr float kMaxInverse = 3e37f;
-
-/// A box counts as left by so much later than computed. The slabs have three roundings, gamma(3);
-/// the sheared vertices of the triangle kernel are off by as much again; the rest is room to spare.
-/// Source: Ize 2013, "Robust BVH Ray Traversal", sec. 3.
-inline constexpr float kSlabSlack = 0x1p-19f;
-inline constexpr float kExitFactor = 1.0f + kSlabSlack;
-
-/// How far the two origins lie from the true one, in parts of it and at least: times kMaxInverse,
-/// that is farther than the world reaches.
-inline constexpr float kOriginSlack = 0x1p-22f;
-inline constexpr float kLeastOriginSlack = 0x1p-60f;
 
 /// True if the ray can hit anything: all its numbers are finite.
 inline bool is_traceable(const Ray& ray) {
-    const auto is_finite = [](Vec3 v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
-    return is_finite(ray.origin) && is_finite(ray.dir);
+    // What is not finite leaves NaN.
+    const Vec3 nothing = (ray.origin - ray.origin) + (ray.dir - ray.dir);
+    return nothing.x + nothing.y + nothing.z == 0.0f;
 }
 
-/// One axis of the slabs of a ray.
-inline void prepare_slab(float origin, float dir, std::size_t axis, FloatRay& ray) {
-    const float inverse = 1.0f / dir;
-    const float limited = inverse > kMaxInverse    ? kMaxInverse
-                          : inverse < -kMaxInverse ? -kMaxInverse
-                                                   : inverse;
-    const float slack = std::fabs(origin) * kOriginSlack + kLeastOriginSlack;
-    const float ahead = std::copysign(slack, inverse);
-    ray.inv_dir[axis] = limited;
-    ray.inv_dir_far[axis] = limited * kExitFactor;
-    ray.origin_float[axis] = origin;
-    ray.origin_near[axis] = origin + ahead;
-    ray.origin_far[axis] = origin - ahead;
-    ray.near_side[axis] = std::signbit(inverse) ? 1 : 0;
-}
-
+/// Returns the ray without that which prepare_floats() works out.
 /// Space: any, if `dir` keeps the length that the way there gives it: t stays the world's.
-inline PreparedRay prepare(DVec3 origin, DVec3 dir) {
+inline PreparedRay set_out(DVec3 origin, DVec3 dir) {
     PreparedRay result;
     result.origin = origin;
     result.dir = dir;
-    const float d[3] = {static_cast<float>(dir.x), static_cast<float>(dir.y),
-                        static_cast<float>(dir.z)};
-    prepare_slab(static_cast<float>(origin.x), d[0], 0, result);
-    prepare_slab(static_cast<float>(origin.y), d[1], 1, result);
-    prepare_slab(static_cast<float>(origin.z), d[2], 2, result);
-    // Without branches: rays after each other may run anywhere.
-    const float x = std::fabs(d[0]);
-    const float y = std::fabs(d[1]);
-    const float z = std::fabs(d[2]);
-    const std::uint32_t x_or_y = x > y ? 0 : 1;
-    const std::uint32_t fastest = (x > y ? x : y) > z ? x_or_y : 2;
-    const std::uint32_t next = fastest == 2 ? 0 : fastest + 1;
-    const std::uint32_t last = next == 2 ? 0 : next + 1;
-    result.axes[0] = next;
-    result.axes[1] = last;
-    result.axes[2] = fastest;
-    result.shear_x = d[next] / d[fastest];
-    result.shear_y = d[last] / d[fastest];
+    for (int axis = 0; axis < 3; ++axis) {
+        result.origin_float[axis] = static_cast<float>(origin[axis]);
+        result.dir_float[axis] = static_cast<float>(dir[axis]);
+    }
+    result.origin_float[3] = 0.0f;
+    result.dir_float[3] = 1.0f;
+    return result;
+}
+
+inline PreparedRay set_out(const Ray& ray) {
+    return set_out(DVec3{ray.origin}, DVec3{ray.dir});
+}
+
+/// Works out the rest of a ray. Walks do it for themselves, with vectors (simd/blocks-inl.h).
+inline void prepare_floats(FloatRay& ray) {
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+        const float inverse = 1.0f / ray.dir_float[axis];
+        const float limited = inverse > kMaxInverse    ? kMaxInverse
+                              : inverse < -kMaxInverse ? -kMaxInverse
+                                                       : inverse;
+        const float origin = ray.origin_float[axis];
+        const float slack = std::fabs(origin) * kOriginSlack + kLeastOriginSlack;
+        const float ahead = std::copysign(slack, inverse);
+        ray.inv_dir[axis] = limited;
+        ray.inv_dir_far[axis] = limited * kExitFactor;
+        ray.origin_near[axis] = origin + ahead;
+        ray.origin_far[axis] = origin - ahead;
+        ray.near_side[axis] = std::signbit(inverse) ? 1 : 0;
+    }
+    const float x = std::fabs(ray.dir_float[0]);
+    const float y = std::fabs(ray.dir_float[1]);
+    const float z = std::fabs(ray.dir_float[2]);
+    ray.axes[2] = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+    ray.axes[0] = (ray.axes[2] + 1) % 3;
+    ray.axes[1] = (ray.axes[0] + 1) % 3;
+    ray.shear_x = ray.dir_float[ray.axes[0]] / ray.dir_float[ray.axes[2]];
+    ray.shear_y = ray.dir_float[ray.axes[1]] / ray.dir_float[ray.axes[2]];
+}
+
+inline PreparedRay prepare(DVec3 origin, DVec3 dir) {
+    PreparedRay result = set_out(origin, dir);
+    prepare_floats(result);
     return result;
 }
 

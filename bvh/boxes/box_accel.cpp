@@ -103,14 +103,17 @@ class BoxAccel final : public Accel {
         Hit best;
         ++counts.rays;
         if (is_traceable(ray)) {
-            find_nearest(parts_, parts_.world, 0, prepare(ray), interval, best, counts);
+            PreparedRay prepared = set_out(ray);
+            find_nearest(parts_, parts_.world, 0, prepared, interval, best, counts);
         }
         return best;
     }
 
     bool any_hit(const Ray& ray, Interval interval, TraceCounts& counts) const override {
         ++counts.rays;
-        return is_traceable(ray) && find_any(parts_, parts_.world, prepare(ray), interval, counts);
+        if (!is_traceable(ray)) return false;
+        PreparedRay prepared = set_out(ray);
+        return find_any(parts_, parts_.world, prepared, interval, counts);
     }
 
     void nearest_hits(std::span<const Ray> rays, std::span<const Interval> intervals,

@@ -63,9 +63,9 @@ void nearest_in(PartWalk& walk, const scene::WorldInstance& instance) {
     ++walk.counts->instance_tests;
     const Interval inside = interval_in(instance, *walk.prepared, walk.interval);
     if (inside.is_empty()) return;
+    PreparedRay local = set_out_in(instance, *walk.prepared);
     find_nearest(*walk.parts, walk.parts->prototypes[instance.prototype],
-                 walk.place + instance.first_place, ray_in(instance, *walk.prepared), inside,
-                 *walk.best, *walk.counts);
+                 walk.place + instance.first_place, local, inside, *walk.best, *walk.counts);
     walk.narrow();
 }
 
@@ -73,9 +73,10 @@ void nearest_in(PartWalk& walk, const scene::WorldInstance& instance) {
 bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
     ++walk.counts->instance_tests;
     const Interval inside = interval_in(instance, *walk.prepared, walk.interval);
-    return !inside.is_empty() &&
-           find_any(*walk.parts, walk.parts->prototypes[instance.prototype],
-                    ray_in(instance, *walk.prepared), inside, *walk.counts);
+    if (inside.is_empty()) return false;
+    PreparedRay local = set_out_in(instance, *walk.prepared);
+    return find_any(*walk.parts, walk.parts->prototypes[instance.prototype], local, inside,
+                    *walk.counts);
 }
 
 bool nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
@@ -138,8 +139,8 @@ constexpr WalkCalls kAnyCalls{any_triangle, any_sphere, any_listed};
 }  // namespace
 
 PartWalk::PartWalk(const BoxParts& the_parts, const BoxPart& the_part, scene::PlaceOffset the_place,
-                   const PreparedRay& the_ray, Interval the_interval, TraceCounts& the_counts)
-    : Walk{&the_ray, nullptr, the_interval.lo, reach_of(the_interval.hi), {}, 0, 0},
+                   PreparedRay& the_ray, Interval the_interval, TraceCounts& the_counts)
+    : Walk{&the_ray, nullptr, the_interval.lo, reach_of(the_interval.hi), 0, 0, {}},
       parts(&the_parts),
       part(&the_part),
       place(the_place),
@@ -186,7 +187,7 @@ bool PartWalk::casts_shadow(PrimitiveId id) const {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
 void find_nearest(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place,
-                  const PreparedRay& ray, Interval interval, Hit& best, TraceCounts& counts) {
+                  PreparedRay& ray, Interval interval, Hit& best, TraceCounts& counts) {
     PartWalk walk(parts, part, place, ray, interval, counts);
     walk.seek_nearest(best);
     parts.walks.nearest(part.tree.view, walk);
@@ -194,7 +195,7 @@ void find_nearest(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-bool find_any(const BoxParts& parts, const BoxPart& part, const PreparedRay& ray, Interval interval,
+bool find_any(const BoxParts& parts, const BoxPart& part, PreparedRay& ray, Interval interval,
               TraceCounts& counts) {
     PartWalk walk(parts, part, 0, ray, interval, counts);
     const bool is_hit = walk.seek_any() || parts.walks.any(part.tree.view, walk);

@@ -29,12 +29,12 @@ struct BoxParts {
 struct PartWalk : Walk {
     /// The rays and counts must outlive the walk.
     PartWalk(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place,
-             const PreparedRay& ray, Interval interval, TraceCounts& counts);
+             PreparedRay& ray, Interval interval, TraceCounts& counts);
 
     const BoxParts* parts;
     const BoxPart* part;
     scene::PlaceOffset place;
-    const PreparedRay* prepared;
+    const PreparedRay* prepared;  // its floats from the walk on
     Interval interval;
     TraceCounts* counts;
     Hit* best = nullptr;  // of a walk to the nearest hit
@@ -63,12 +63,12 @@ struct PartWalk : Walk {
     bool casts_shadow(scene::PrimitiveId id) const;
 };
 
-/// Finds the nearest hit in a part, if it is nearer than `best`.
+/// Finds the nearest hit in a part of a ray that sets out, if it is nearer than `best`.
 void find_nearest(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place,
-                  const PreparedRay& ray, Interval interval, Hit& best, TraceCounts& counts);
+                  PreparedRay& ray, Interval interval, Hit& best, TraceCounts& counts);
 
-/// Returns whether anything in a part that casts a shadow is hit.
-bool find_any(const BoxParts& parts, const BoxPart& part, const PreparedRay& ray, Interval interval,
+/// Returns whether anything in a part that casts a shadow is hit by a ray that sets out.
+bool find_any(const BoxParts& parts, const BoxPart& part, PreparedRay& ray, Interval interval,
               TraceCounts& counts);
 
 }  // namespace lray::bvh

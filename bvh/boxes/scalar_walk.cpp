@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "bvh/boxes/box_tree.h"
+#include "bvh/prepared_ray.h"
 
 namespace lray::bvh {
 
@@ -114,6 +115,7 @@ bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, Walk& walk) {
 
 bool walk_tree(const BoxTreeView& tree, Walk& walk) {
     if (tree.is_empty) return false;
+    prepare_floats(*walk.ray);
     std::array<Waiting, kMaxWaiting> stack;
     std::size_t waiting_count = 0;
     stack[waiting_count++] = {tree.root, walk.lo};

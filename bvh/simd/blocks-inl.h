@@ -33,6 +33,37 @@ HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
     return bits[0];
 }
 
+/// prepare_floats() of prepared_ray.h.
+HWY_INLINE void prepare_ray(FloatRay& ray) {
+    const hn::FixedTag<float, 4> d;
+    const hn::RebindToUnsigned<decltype(d)> w;
+    const auto most = hn::Set(d, kMaxInverse);
+    const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Load(d, ray.dir_float));
+    const auto limited = hn::Max(hn::Min(inverse, most), hn::Neg(most));
+    const auto origin = hn::Load(d, ray.origin_float);
+    const auto slack = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, kOriginSlack)),
+                               hn::Set(d, kLeastOriginSlack));
+    const auto ahead = hn::CopySign(slack, inverse);
+    hn::Store(limited, d, ray.inv_dir);
+    hn::Store(hn::Mul(limited, hn::Set(d, kExitFactor)), d, ray.inv_dir_far);
+    hn::Store(hn::Add(origin, ahead), d, ray.origin_near);
+    hn::Store(hn::Sub(origin, ahead), d, ray.origin_far);
+    hn::Store(hn::ShiftRight<31>(hn::BitCast(w, inverse)), w, ray.near_side);
+    // Without branches: rays after each other may run anywhere.
+    const float x = ray.dir_float[0] < 0.0f ? -ray.dir_float[0] : ray.dir_float[0];
+    const float y = ray.dir_float[1] < 0.0f ? -ray.dir_float[1] : ray.dir_float[1];
+    const float z = ray.dir_float[2] < 0.0f ? -ray.dir_float[2] : ray.dir_float[2];
+    const std::uint32_t x_or_y = x > y ? 0 : 1;
+    const std::uint32_t fastest = (x > y ? x : y) > z ? x_or_y : 2;
+    const std::uint32_t next = fastest == 2 ? 0 : fastest + 1;
+    const std::uint32_t last = next == 2 ? 0 : next + 1;
+    ray.axes[0] = next;
+    ray.axes[1] = last;
+    ray.axes[2] = fastest;
+    ray.shear_x = ray.dir_float[next] / ray.dir_float[fastest];
+    ray.shear_y = ray.dir_float[last] / ray.dir_float[fastest];
+}
+
 /// One axis of a ray, for slabs.
 struct SlabAxis {
     FloatVec origin_near;
@@ -83,10 +114,10 @@ HWY_INLINE FloatVec far_of(const SlabAxis& axis, const float* planes) {
 }
 
 /// Returns which children the ray is in somewhere between `lo` and `reach`, a bit each, and where
-/// it enters them.
+/// it enters them, as the bits of floats.
 HWY_INLINE std::uint32_t meet_boxes(const BoxNode& node, const SlabRay& ray, FloatVec reach,
-                                    float* HWY_RESTRICT entries) {
-    const Floats d;
+                                    std::uint32_t* HWY_RESTRICT entries) {
+    const Words w;
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
         const float* planes = &node.planes[0][0][0] + i;
@@ -95,7 +126,7 @@ HWY_INLINE std::uint32_t meet_boxes(const BoxNode& node, const SlabRay& ray, Flo
                     hn::Max(near_of(ray.z, planes), ray.lo));
         const FloatVec exit = hn::Min(hn::Min(far_of(ray.x, planes), far_of(ray.y, planes)),
                                       hn::Min(far_of(ray.z, planes), reach));
-        hn::Store(entry, d, entries + i);
+        hn::Store(hn::BitCast(w, entry), w, entries + i);
         bits |= bits_of(hn::Le(entry, exit)) << i;
     }
     return bits;

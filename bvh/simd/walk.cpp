@@ -10,80 +10,102 @@
 HWY_BEFORE_NAMESPACE();
 namespace lray::bvh::HWY_NAMESPACE {
 
-/// A child that waits, and where the ray enters it.
-struct Waiting {
-    BoxChild child;
-    float entry;
-};
+/// A child that waits: where the ray enters it in the upper half, as the bits of a float that is not
+/// negative, which are in its order; the BoxChild in the lower.
+using Waiting = std::uint64_t;
 
-HWY_INLINE void sort_last(Waiting* HWY_RESTRICT begin, Waiting* HWY_RESTRICT end) {
-    for (Waiting* i = begin + 1; i < end; ++i) {
-        const Waiting moved = *i;
-        Waiting* k = i;
-        while (k > begin && k[-1].entry < moved.entry) {
-            *k = k[-1];
-            --k;
-        }
-        *k = moved;
+HWY_INLINE Waiting make_waiting(const BoxNode& node, const std::uint32_t* entries, std::size_t lane) {
+    return static_cast<Waiting>(entries[lane]) << 32 | node.children[lane];
+}
+
+HWY_INLINE BoxChild child_of(Waiting waiting) {
+    return static_cast<BoxChild>(waiting);
+}
+
+HWY_INLINE std::uint32_t bits_of_float(float value) {
+    std::uint32_t bits;
+    hwy::CopyBytes<sizeof(bits)>(&value, &bits);
+    return bits;
+}
+
+/// Puts the last of the waiting before it where it belongs: the farthest first.
+HWY_INLINE void sink_last(Waiting* bottom, Waiting* last) {
+    const Waiting moved = *last;
+    while (last > bottom && last[-1] < moved) {
+        *last = last[-1];
+        --last;
     }
+    *last = moved;
+}
+
+/// Puts all but the nearest of the children that were met to those that wait, and returns it.
+template <bool is_ordered>
+HWY_INLINE BoxChild choose_child(const BoxNode& node, std::uint32_t bits,
+                                 const std::uint32_t* HWY_RESTRICT entries,
+                                 Waiting* HWY_RESTRICT& top) {
+    const Waiting one = make_waiting(node, entries, hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+    bits &= bits - 1;
+    const Waiting two = make_waiting(node, entries, hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+    bits &= bits - 1;
+    if (bits == 0) {
+        const bool is_one_nearer = one < two;
+        *top++ = is_one_nearer ? two : one;
+        return child_of(is_one_nearer ? one : two);
+    }
+    Waiting* const bottom = top;
+    *top++ = one < two ? two : one;
+    *top++ = one < two ? one : two;
+    do {
+        *top = make_waiting(node, entries, hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+        bits &= bits - 1;
+        if (is_ordered) sink_last(bottom, top);
+        ++top;
+    } while (bits != 0);
+    return child_of(*--top);
 }
 
 template <bool is_ordered>
 HWY_INLINE bool walk_tree(const BoxTreeView& tree, Walk& walk) {
     const Floats d;
     if (tree.is_empty) return false;
+    prepare_ray(*walk.ray);
     const SlabRay slab_ray = make_slab_ray(walk);
     const ShearRay shear_ray = make_shear_ray(*walk.ray);
     FloatVec reach = hn::Set(d, walk.reach);
+    const BoxNode* const nodes = tree.nodes;
     Waiting stack[kMaxWaiting];
     Waiting* top = stack;
     BoxChild current = tree.root;
     std::uint64_t node_tests = 0;
     bool is_ended = false;
     for (;;) {
+        bool is_empty = false;
         while (current < kMaxBoxNodes) {
             ++node_tests;
-            const BoxNode& node = tree.nodes[current];
-            alignas(32) float entries[kBoxWidth];
-            std::uint32_t bits = meet_boxes(node, slab_ray, reach, entries);
-            if (bits == 0) goto pop;
-            const auto first = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-            bits &= bits - 1;
-            current = node.children[first];
-            if (bits == 0) continue;
-            const auto second = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-            bits &= bits - 1;
-            const Waiting one = {current, entries[first]};
-            const Waiting two = {node.children[second], entries[second]};
-            if (bits == 0) {
-                const bool is_one_nearer = one.entry <= two.entry;
-                *top++ = is_one_nearer ? two : one;
-                current = is_one_nearer ? one.child : two.child;
-                continue;
+            const BoxNode& node = nodes[current];
+            alignas(32) std::uint32_t entries[kBoxWidth];
+            const std::uint32_t bits = meet_boxes(node, slab_ray, reach, entries);
+            is_empty = bits == 0;
+            if (is_empty) break;
+            if ((bits & (bits - 1)) == 0) {
+                current = node.children[hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
+            } else {
+                current = choose_child<is_ordered>(node, bits, entries, top);
             }
-            Waiting* const bottom = top;
-            *top++ = one;
-            *top++ = two;
-            do {
-                const auto next = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                bits &= bits - 1;
-                *top++ = {node.children[next], entries[next]};
-            } while (bits != 0);
-            if (is_ordered) sort_last(bottom, top);
-            current = (--top)->child;
         }
-        if (meet_leaf(tree, current, shear_ray, walk)) {
-            is_ended = true;
-            break;
+        if (!is_empty) {
+            if (meet_leaf(tree, current, shear_ray, walk)) {
+                is_ended = true;
+                break;
+            }
+            if (is_ordered) reach = hn::Set(d, walk.reach);
         }
-        if (is_ordered) reach = hn::Set(d, walk.reach);
-    pop:
-        for (;;) {
+        const Waiting beyond = (static_cast<Waiting>(bits_of_float(walk.reach)) + 1) << 32;
+        do {
             if (top == stack) goto end;
             --top;
-            if (!is_ordered || top->entry <= walk.reach) break;
-        }
-        current = top->child;
+        } while (is_ordered && *top >= beyond);
+        current = child_of(*top);
     }
 end:
     walk.node_tests += node_tests;

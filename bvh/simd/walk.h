@@ -44,13 +44,13 @@ struct WalkCalls {
 
 /// One ray on its way through one tree.
 struct Walk {
-    const FloatRay* ray;
+    FloatRay* ray;  // set out; walks prepare its floats
     const WalkCalls* calls;
     float lo;
     float reach;  // what is entered beyond it cannot hold a hit that counts: reach_of(hi)
-    SphereRay sphere_ray;
     std::uint64_t node_tests;
     std::uint64_t primitive_tests;
+    SphereRay sphere_ray;
 };
 
 /// The most rays that walk together: a bit of 64 each.
@@ -73,7 +73,7 @@ struct alignas(64) Tile {
     std::uint64_t node_tests;
 };
 
-/// Comes upon everything that the ray meets in front of `lo` and by `reach`. Returns true if a call
+/// Prepares the ray and comes upon everything that the ray meets in front of `lo` and by `reach`. Returns true if a call
 /// ended it.
 /// nearest: enters the nearest child first. any: in no particular order, for calls that end the walk
 /// at the first hit.

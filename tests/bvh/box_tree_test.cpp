@@ -3,6 +3,7 @@
 #include "bvh/boxes/box_tree.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -341,13 +342,20 @@ TEST(BoxTree, HugeTinyAndFlatTrianglesFindAPlace) {
     EXPECT_LE(build_box_tree(line, BuildQuality::medium).stats.depth, 8u);
 }
 
-TEST(BoxTree, IsTheSameEveryTime) {
+TEST(BoxTree, IsTheSameOnAnyNumberOfCores) {
     Random random(9);
-    const scene::Geometry geometry = triangle_soup(random, 50'000, 0.1f);
-    const BoxTree tree = build_box_tree(geometry, BuildQuality::medium);
-    const BoxTree again = build_box_tree(geometry, BuildQuality::medium);
-    ASSERT_EQ(tree.arena.size(), again.arena.size());
-    EXPECT_EQ(std::memcmp(tree.arena.data(), again.arena.data(), tree.arena.size()), 0);
+    const scene::Geometry geometry = triangle_soup(random, 150'000, 0.5f);
+    for (const BuildQuality quality : {BuildQuality::medium, BuildQuality::high}) {
+        const BoxTree tree = build_box_tree(geometry, quality);
+        for (const int core_count : {1, 2, 5}) {
+            tbb::task_arena arena(core_count);
+            const BoxTree again = arena.execute([&] { return build_box_tree(geometry, quality); });
+            ASSERT_EQ(tree.arena.size(), again.arena.size());
+            EXPECT_EQ(std::memcmp(tree.arena.data(), again.arena.data(), tree.arena.size()), 0);
+            EXPECT_EQ(tree.view.root, again.view.root);
+            EXPECT_EQ(tree.stats.cost, again.stats.cost);
+        }
+    }
 }
 
 }  // namespace

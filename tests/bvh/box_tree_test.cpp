@@ -343,6 +343,18 @@ TEST(BoxTree, HugeTinyAndFlatTrianglesFindAPlace) {
     EXPECT_LE(build_box_tree(line, BuildQuality::medium).stats.depth, 8u);
 }
 
+TEST(BoxTree, BoxesThatReachPastTheRangeOfFloatFindAPlace) {
+    Random random(10);
+    scene::Geometry geometry;
+    for (int i = 0; i < 300; ++i) {
+        add_triangle(geometry, random.in_cube(1.6e38f), random.in_cube(1.6e38f),
+                     random.in_cube(1.0f));
+        add_sphere(geometry, random.in_cube(1.6e38f), 3e38f);
+    }
+    build_and_check(geometry);
+    build_box_tree(geometry, BuildQuality::high);
+}
+
 TEST(BoxTree, IsTheSameOnAnyNumberOfCores) {
     Random random(9);
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 5);

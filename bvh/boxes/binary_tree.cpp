@@ -76,7 +76,8 @@ class Builder {
         node.right = right.node;
         result.costs = share_slots(node, left.costs, right.costs);
         const double inner_cost = result.costs[0] + area * kNodeCost;
-        node.is_leaf = leaf_cost <= inner_cost;
+        // Of boxes that reach to infinity both may be infinite.
+        node.is_leaf = can_be_leaf(set) && leaf_cost <= inner_cost;
         if (node.is_leaf) node.ref_class = set.summary.only_class();
         result.costs[1] = std::min(leaf_cost, inner_cost);
         for (std::size_t slots = 2; slots < kBoxWidth; ++slots) {

@@ -48,7 +48,7 @@ int bin_count_for(std::uint32_t ref_count, BuildQuality quality) {
 void fill(Bins& bins, std::span<const BuildRef> refs, const BinMap& map) {
     const Float4 last = Float4::fill(static_cast<float>(map.bin_count - 1));
     const Float4 zero = Float4::fill(0.0f);
-    for (const BuildRef& ref : refs) {
+    const auto add = [&](const BuildRef& ref) {
         int index[4];
         store_whole(index, min(max(map.position(ref), zero), last));
         const Float4 low = ref.lower();
@@ -59,16 +59,19 @@ void fill(Bins& bins, std::span<const BuildRef> refs, const BinMap& map) {
             bin.box.add(low, high);
             bin.weight += weight;
         }
+    };
+    // From two places at once: neighbours tend to be in the same bin, and would wait for each
+    // other.
+    const std::size_t half = refs.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+        add(refs[i]);
+        add(refs[half + i]);
     }
+    if (refs.size() % 2 != 0) add(refs.back());
 }
 
-Bins fill(std::span<const BuildRef> refs, const BinMap& map) {
-    Bins bins(map.bin_count);
-    if (refs.size() < kParallelCount) {
-        fill(bins, refs, map);
-        return bins;
-    }
-    return tbb::parallel_reduce(
+void fill_in_shares(Bins& bins, std::span<const BuildRef> refs, const BinMap& map) {
+    bins = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, refs.size(), kShare), bins,
         [&](const tbb::blocked_range<std::size_t>& range, Bins some) {
             fill(some, refs.subspan(range.begin(), range.size()), map);
@@ -162,7 +165,13 @@ Split find_split(const SplitRules& rules, std::span<const BuildRef> refs, const 
     const Measure& measure = rules.measure;
     const double size = measure(set.summary.box);
     const BinMap map = make_bin_map(set.summary.centers, bin_count_for(set.count(), rules.quality));
-    const Bins bins = fill(refs.subspan(set.first, set.count()), map);
+    const std::span<const BuildRef> members = refs.subspan(set.first, set.count());
+    Bins bins(map.bin_count);
+    if (members.size() < kParallelCount) {
+        fill(bins, members, map);
+    } else {
+        fill_in_shares(bins, members, map);
+    }
     Split best = sweep(bins, map, measure);
     if (rules.quality == BuildQuality::high && set.end > set.last && best.kind == SplitKind::bins &&
         overlap_of_sides(bins, best, measure) >= kLeastOverlap * size) {

@@ -18,8 +18,9 @@ constexpr double kRoomForParts = 0.5;
 
 }  // namespace
 
-/// While it works it needs 32 bytes a reference beside what the tree keeps, and about a tenth of
-/// that for the nodes that are not yet in their place.
+/// While it works it needs 32 bytes a reference beside what the tree keeps (with room for parts,
+/// 48), and for the binary tree about as much again, which is gone when the arena is filled: at
+/// most 64 for each of 2 n - 1 nodes, if no two of n references fit one leaf.
 BoxTree build_box_tree(const scene::Geometry& geometry, BuildQuality quality) {
     BuildRefs refs = make_build_refs(geometry, quality == BuildQuality::high ? kRoomForParts : 0.0);
     BoxTree tree;

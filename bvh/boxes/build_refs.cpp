@@ -112,18 +112,6 @@ void write_refs(const scene::Geometry& geometry, PrimitiveId id, BuildRef* refs)
 
 }  // namespace
 
-RefCorners corners_of(const scene::Geometry& geometry, const BuildRef& ref) {
-    PrimitiveId id;
-    id.value = ref.id;
-    if (id.kind() == PrimitiveKind::triangle) {
-        const auto& [a, b, c] = geometry.triangles[id.index()].vertices;
-        return {geometry.vertices[a], geometry.vertices[b], geometry.vertices[c]};
-    }
-    const auto& [p00, p10, p11, p01] = geometry.rectangles[id.index()].corners;
-    if ((ref.tag & BuildRef::kSecondHalf) != 0) return {p00, p11, p01};
-    return {p00, p10, p11};
-}
-
 BuildRefs make_build_refs(const scene::Geometry& geometry, double room) {
     constexpr auto kRectangle = static_cast<std::size_t>(PrimitiveKind::rectangle);
     constexpr auto kPlane = static_cast<std::size_t>(PrimitiveKind::plane);

@@ -32,7 +32,7 @@ inline constexpr std::uint32_t kRefWeights[kRefClassCount] = {1, 1, 16, 20, 12, 
 
 /// A box with the primitive in it. No coordinate is -0, so that the least of several is the same
 /// in any order.
-struct alignas(32) BuildRef {
+struct alignas(16) BuildRef {
     float min[3] = {kInfinity, kInfinity, kInfinity};
     std::uint32_t id = 0;  // value of a PrimitiveId
     float max[3] = {-kInfinity, -kInfinity, -kInfinity};
@@ -54,7 +54,17 @@ struct RefCorners {
     Vec3 b{};
     Vec3 c{};
 };
-RefCorners corners_of(const scene::Geometry& geometry, const BuildRef& ref);
+inline RefCorners corners_of(const scene::Geometry& geometry, const BuildRef& ref) {
+    scene::PrimitiveId id;
+    id.value = ref.id;
+    if (id.kind() == scene::PrimitiveKind::triangle) {
+        const auto& [a, b, c] = geometry.triangles[id.index()].vertices;
+        return {geometry.vertices[a], geometry.vertices[b], geometry.vertices[c]};
+    }
+    const auto& [p00, p10, p11, p01] = geometry.rectangles[id.index()].corners;
+    if ((ref.tag & BuildRef::kSecondHalf) != 0) return {p00, p11, p01};
+    return {p00, p10, p11};
+}
 
 /// Primitives as a tree is built over them; planes, which have no box, apart.
 struct BuildRefs {

@@ -11,6 +11,11 @@ namespace lray::bvh {
 
 namespace {
 
+std::size_t round_up_to_lines(std::size_t byte_count) {
+    constexpr std::size_t kCacheLine = 64;
+    return (byte_count + kCacheLine - 1) / kCacheLine * kCacheLine;
+}
+
 /// Where each array begins in the arena, and the bytes of all.
 struct Layout {
     std::size_t triangles = 0;
@@ -19,9 +24,9 @@ struct Layout {
     std::size_t size = 0;
 
     explicit Layout(const BoxTreeCounts& counts)
-        : triangles(counts.nodes * sizeof(BoxNode)),
-          spheres(triangles + counts.triangle_blocks * sizeof(TriangleBlock)),
-          list(spheres + counts.sphere_blocks * sizeof(SphereBlock)),
+        : triangles(round_up_to_lines(counts.nodes * sizeof(BoxNode))),
+          spheres(round_up_to_lines(triangles + counts.triangle_blocks * sizeof(TriangleBlock))),
+          list(round_up_to_lines(spheres + counts.sphere_blocks * sizeof(SphereBlock))),
           size(list + counts.listed * sizeof(std::uint32_t)) {}
 };
 

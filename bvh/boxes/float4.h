@@ -86,17 +86,24 @@ inline Float4 load_three(const float* from) {
     return Float4::of(from[0], from[1], from[2]);
 }
 inline void store_four(float* to, Float4 a) {
-    for (int lane = 0; lane < 4; ++lane) to[lane] = a.v[lane];
+    for (int i = 0; i < 4; ++i) to[i] = a.v[i];
 }
 inline void store_whole(int* to, Float4 a) {
-    for (int lane = 0; lane < 4; ++lane) to[lane] = static_cast<int>(a.v[lane]);
+    for (int i = 0; i < 4; ++i) to[i] = static_cast<int>(a.v[i]);
 }
 inline unsigned lanes_below(Float4 a, Float4 b) {
     unsigned bits = 0;
-    for (int lane = 0; lane < 4; ++lane) bits |= (a.v[lane] >= b.v[lane] ? 0u : 1u) << lane;
+    for (int i = 0; i < 4; ++i) bits |= (a.v[i] >= b.v[i] ? 0u : 1u) << i;
     return bits;
 }
 
 #endif
+
+/// One of the first three lanes.
+inline float lane(Float4 a, int index) {
+    float lanes[4];
+    store_four(lanes, a);
+    return lanes[index];
+}
 
 }  // namespace lray::bvh

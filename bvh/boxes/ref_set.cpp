@@ -27,17 +27,19 @@ struct Sides {
 /// Divides in place and sums up both sides on the way.
 template <class IsLeft>
 Sides partition(std::span<BuildRef> refs, IsLeft is_left) {
-    Sides sides;
-    std::size_t begin = 0;
-    std::size_t end = refs.size();
+    RefSummary left;  // not in the result from the start: these stay in registers
+    RefSummary right;
+    BuildRef* begin = refs.data();
+    BuildRef* end = begin + refs.size();
     while (true) {
-        while (begin < end && is_left(refs[begin])) sides.left.add(refs[begin++]);
-        while (begin < end && !is_left(refs[end - 1])) sides.right.add(refs[--end]);
+        while (begin < end && is_left(*begin)) left.add(*begin++);
+        while (begin < end && !is_left(end[-1])) right.add(*--end);
         if (begin >= end) break;
-        std::swap(refs[begin], refs[end - 1]);
+        std::swap(*begin, end[-1]);
+        left.add(*begin++);
+        right.add(*--end);
     }
-    sides.left_count = begin;
-    return sides;
+    return {static_cast<std::size_t>(begin - refs.data()), left, right};
 }
 
 /// References [first, first + count) that are to change places with others.
@@ -181,10 +183,13 @@ TwoSets divide(std::span<BuildRef> refs, const RefSet& set, const Split& split) 
         sides = partition_set(members,
                               [&](const BuildRef& ref) { return ref.ref_class() == first_class; });
     } else {
-        const Float4 plane = Float4::fill(static_cast<float>(split.first_right_bin));
-        const unsigned axis_bit = 1u << split.axis;
-        sides = partition_set(members, [&](const BuildRef& ref) {
-            return (lanes_below(split.map.position(ref), plane) & axis_bit) != 0;
+        const auto plane = static_cast<float>(split.first_right_bin);
+        const int axis = split.axis;
+        const float origin = lane(split.map.origin, axis);
+        const float scale = lane(split.map.scale, axis);
+        sides = partition_set(members, [=](const BuildRef& ref) {
+            // As BinMap::position(), to the bit; NaN is in the first bin.
+            return !((ref.min[axis] + ref.max[axis] - origin) * scale >= plane);
         });
     }
     LRAY_ASSERT(sides.left_count > 0 && sides.left_count < set.count());

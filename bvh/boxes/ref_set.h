@@ -9,14 +9,15 @@
 
 namespace lray::bvh {
 
-/// The box [lower, upper]; empty when made by default.
+/// The box [lower, upper]; empty when made by default. NaN is left out, in any order: the middle of
+/// a box that reaches to infinity on both sides.
 struct Box4 {
     Float4 lower = Float4::fill(kInfinity);
     Float4 upper = Float4::fill(-kInfinity);
 
     void add(Float4 low, Float4 high) {
-        lower = min(lower, low);
-        upper = max(upper, high);
+        lower = min(low, lower);
+        upper = max(high, upper);
     }
     void add(const Box4& other) { add(other.lower, other.upper); }
 };

@@ -16,7 +16,9 @@ namespace lray::bvh {
 
 namespace {
 
+/// Bins of sets of kManyRefs and more; smaller ones have half as many.
 constexpr std::size_t kBinCount = 16;
+constexpr std::uint32_t kManyRefs = 128;
 
 /// The stretch between two planes of an axis: what of the references is in it, and the weight of
 /// those that begin and end in it.
@@ -53,7 +55,7 @@ struct Reach {
     int last[4];
 
     Reach(const BuildRef& ref, const BinMap& map) {
-        const Float4 most = Float4::fill(static_cast<float>(kBinCount - 1));
+        const Float4 most = Float4::fill(static_cast<float>(map.bin_count - 1));
         const auto bins_at = [&](Float4 point, int* bins) {
             const Float4 position = (point - map.origin) * map.scale;
             store_whole(bins, min(max(position, Float4::fill(0.0f)), most));
@@ -175,9 +177,10 @@ double plane_of(const Split& split) {
 
 Split find_cut(const scene::Geometry& geometry, std::span<const BuildRef> refs, const RefSet& set,
                const Measure& measure) {
+    const std::size_t bin_count = set.count() < kManyRefs ? kBinCount / 2 : kBinCount;
     Split best;
     best.cost = std::numeric_limits<double>::infinity();
-    best.map = make_bin_map(set.summary.box, static_cast<int>(kBinCount));
+    best.map = make_bin_map(set.summary.box, static_cast<int>(bin_count));
     const Bins bins = fill(geometry, refs.subspan(set.first, set.count()), best.map);
     const std::uint64_t most_refs = set.count() + std::uint64_t{set.end - set.last};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -187,7 +190,7 @@ Split find_cut(const scene::Geometry& geometry, std::span<const BuildRef> refs, 
         Box4 box;
         std::uint64_t weight = 0;
         std::uint64_t count = 0;
-        for (std::size_t i = kBinCount; i-- > 1;) {
+        for (std::size_t i = bin_count; i-- > 1;) {
             box.add(row[i].box);
             weight += row[i].ended;
             count += row[i].ended_count;
@@ -198,7 +201,7 @@ Split find_cut(const scene::Geometry& geometry, std::span<const BuildRef> refs, 
         box = {};
         weight = 0;
         count = 0;
-        for (std::size_t i = 1; i < kBinCount; ++i) {
+        for (std::size_t i = 1; i < bin_count; ++i) {
             box.add(row[i - 1].box);
             weight += row[i - 1].begun;
             count += row[i - 1].begun_count;

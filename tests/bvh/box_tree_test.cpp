@@ -3,6 +3,8 @@
 #include "bvh/boxes/box_tree.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -341,13 +343,35 @@ TEST(BoxTree, HugeTinyAndFlatTrianglesFindAPlace) {
     EXPECT_LE(build_box_tree(line, BuildQuality::medium).stats.depth, 8u);
 }
 
-TEST(BoxTree, IsTheSameEveryTime) {
+TEST(BoxTree, BoxesThatReachPastTheRangeOfFloatFindAPlace) {
+    Random random(10);
+    scene::Geometry geometry;
+    for (int i = 0; i < 300; ++i) {
+        add_triangle(geometry, random.in_cube(1.6e38f), random.in_cube(1.6e38f),
+                     random.in_cube(1.0f));
+        add_sphere(geometry, random.in_cube(1.6e38f), 3e38f);
+    }
+    build_and_check(geometry);
+    build_box_tree(geometry, BuildQuality::high);
+}
+
+TEST(BoxTree, IsTheSameOnAnyNumberOfCores) {
     Random random(9);
-    const scene::Geometry geometry = triangle_soup(random, 50'000, 0.1f);
-    const BoxTree tree = build_box_tree(geometry, BuildQuality::medium);
-    const BoxTree again = build_box_tree(geometry, BuildQuality::medium);
-    ASSERT_EQ(tree.arena.size(), again.arena.size());
-    EXPECT_EQ(std::memcmp(tree.arena.data(), again.arena.data(), tree.arena.size()), 0);
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 5);
+    for (const BuildQuality quality : {BuildQuality::medium, BuildQuality::high}) {
+        // Enough for sets that are gone through by several tasks.
+        const scene::Geometry geometry =
+            triangle_soup(random, quality == BuildQuality::high ? 20'000 : 150'000, 0.5f);
+        const BoxTree tree = build_box_tree(geometry, quality);
+        for (const int core_count : {1, 2, 5}) {
+            tbb::task_arena arena(core_count);
+            const BoxTree again = arena.execute([&] { return build_box_tree(geometry, quality); });
+            ASSERT_EQ(tree.arena.size(), again.arena.size());
+            EXPECT_EQ(std::memcmp(tree.arena.data(), again.arena.data(), tree.arena.size()), 0);
+            EXPECT_EQ(tree.view.root, again.view.root);
+            EXPECT_EQ(tree.stats.cost, again.stats.cost);
+        }
+    }
 }
 
 }  // namespace

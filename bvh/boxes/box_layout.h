@@ -12,19 +12,19 @@ inline constexpr std::uint32_t kBoxWidth = 8;
 /// No path from the root has more nodes.
 inline constexpr std::uint32_t kMaxBoxDepth = 64;
 
-/// What a child is. Nodes: the index of one. Leaves: `count` blocks or listed primitives from
+/// What a child is. Nodes: where one lies. Leaves: `count` blocks or listed primitives from
 /// `first` on.
 enum class BoxChildKind : std::uint32_t { node, triangles, spheres, list };
 
 inline constexpr unsigned kBoxKindShift = 30;
 inline constexpr unsigned kBoxCountShift = 27;
-inline constexpr std::uint32_t kMaxBoxNodes = std::uint32_t{1} << kBoxKindShift;
 inline constexpr std::uint32_t kMaxLeafCount = 8;  // stored less one, in three bits
 inline constexpr std::uint32_t kMaxLeafFirst = (std::uint32_t{1} << kBoxCountShift) - 1;
 
-/// A BoxChildKind in the two top bits. A node: its index below. A leaf: the count less one in three
-/// bits, then `first`.
+/// A BoxChildKind in the two top bits. A node: its index times kNodeUnits below, so that its address
+/// takes a shift. A leaf: the count less one in three bits, then `first`.
 using BoxChild = std::uint32_t;
+inline constexpr BoxChild kFirstLeaf = BoxChild{1} << kBoxKindShift;
 
 /// Shape: planes[axis][side][child], side 0 the lower. A child that is not there has +infinity
 /// for its lower planes and -infinity for its upper ones: no ray meets it.
@@ -32,7 +32,11 @@ struct alignas(32) BoxNode {
     float planes[3][2][kBoxWidth];
     BoxChild children[kBoxWidth];
 };
-static_assert(sizeof(BoxNode) == 224);
+inline constexpr std::uint32_t kNodeUnitBytes = 32;
+inline constexpr std::uint32_t kNodeUnits = 7;
+static_assert(sizeof(BoxNode) == kNodeUnits * kNodeUnitBytes);
+
+inline constexpr std::uint32_t kMaxBoxNodes = kFirstLeaf / kNodeUnits;
 
 /// In place of the id of a primitive: a lane that holds nothing.
 inline constexpr std::uint32_t kNoLane = 0xffffffffu;

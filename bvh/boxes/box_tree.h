@@ -36,6 +36,12 @@ inline std::uint32_t leaf_count(BoxChild child) {
 inline std::uint32_t leaf_first(BoxChild child) {
     return child & kMaxLeafFirst;
 }
+inline const BoxNode& node_of(const BoxTreeView& tree, BoxChild child) {
+    return tree.nodes[child / kNodeUnits];
+}
+inline BoxChild make_node(std::size_t index) {
+    return static_cast<BoxChild>(index * kNodeUnits);
+}
 inline BoxChild make_leaf(BoxChildKind kind, std::uint32_t count, std::uint32_t first) {
     return static_cast<std::uint32_t>(kind) << kBoxKindShift | (count - 1) << kBoxCountShift |
            first;

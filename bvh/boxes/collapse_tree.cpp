@@ -80,7 +80,7 @@ class Collapser {
             const BoxChild child = make(*children.nodes[lane], depth + 1);
             part_.nodes[index].children[lane] = child;
         }
-        return static_cast<BoxChild>(index);
+        return make_node(index);
     }
 
     // NOLINTNEXTLINE(misc-no-recursion): kMaxBoxDepth deep at most

@@ -119,7 +119,8 @@ struct PlacedPart {
 BoxChild relocated(BoxChild child, const BoxTreeCounts& before) {
     // Indices are in the low bits of all kinds; collapse_tree() and place() see to their range.
     BoxTreeCounts counts = before;
-    return child + counts.of(kind_of(child));
+    const BoxChildKind kind = kind_of(child);
+    return child + counts.of(kind) * (kind == BoxChildKind::node ? kNodeUnits : 1);
 }
 
 /// Puts a part and its branches in order, and moves the indices of its children there.

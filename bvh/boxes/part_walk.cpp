@@ -79,21 +79,19 @@ bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
                     *walk.counts);
 }
 
-bool nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
+Met nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                       const TriangleFind& find) {
     auto& self = static_cast<PartWalk&>(walk);
-    self.keep(finish(self, block, lane, find));
-    return false;
+    return self.keep(finish(self, block, lane, find)) ? Met::nearer_hit : Met::nothing;
 }
 
-bool nearest_sphere(Walk& walk, std::uint32_t id) {
+Met nearest_sphere(Walk& walk, std::uint32_t id) {
     auto& self = static_cast<PartWalk&>(walk);
-    self.keep(meet(self, id_of(id)));
-    return false;
+    return self.keep(meet(self, id_of(id))) ? Met::nearer_hit : Met::nothing;
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-bool nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
+Met nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
     auto& self = static_cast<PartWalk&>(walk);
     for (std::uint32_t i = 0; i < count; ++i) {
         const PrimitiveId id = id_of(ids[i]);
@@ -104,25 +102,27 @@ bool nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
             self.keep(meet(self, id));
         }
     }
-    return false;
+    return Met::nearer_hit;  // perhaps
 }
 
-bool any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
+Met any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                   const TriangleFind& find) {
     const auto& self = static_cast<const PartWalk&>(walk);
-    return self.casts_shadow(id_of(block.ids[lane])) && !finish(self, block, lane, find).is_none();
+    const bool is_hit =
+        self.casts_shadow(id_of(block.ids[lane])) && !finish(self, block, lane, find).is_none();
+    return is_hit ? Met::end : Met::nothing;
 }
 
-bool any_sphere(Walk& walk, std::uint32_t value) {
+Met any_sphere(Walk& walk, std::uint32_t value) {
     const auto& self = static_cast<const PartWalk&>(walk);
     const PrimitiveId id = id_of(value);
-    return self.casts_shadow(id) && !meet(self, id).is_none();
+    return self.casts_shadow(id) && !meet(self, id).is_none() ? Met::end : Met::nothing;
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-bool any_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
+Met any_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
     auto& self = static_cast<PartWalk&>(walk);
-    return std::any_of(ids, ids + count, [&](std::uint32_t value) {
+    const bool is_hit = std::any_of(ids, ids + count, [&](std::uint32_t value) {
         const PrimitiveId id = id_of(value);
         if (!self.casts_shadow(id)) return false;
         if (id.kind() == PrimitiveKind::instance) {
@@ -131,6 +131,7 @@ bool any_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
         ++self.primitive_tests;
         return !meet(self, id).is_none();
     });
+    return is_hit ? Met::end : Met::nothing;
 }
 
 constexpr WalkCalls kNearestCalls{nearest_triangle, nearest_sphere, nearest_listed};
@@ -169,10 +170,11 @@ bool PartWalk::seek_any() {
     });
 }
 
-void PartWalk::keep(const Hit& hit) {
-    if (hit.is_none() || !is_closer(hit, *best)) return;
+bool PartWalk::keep(const Hit& hit) {
+    if (hit.is_none() || !is_closer(hit, *best)) return false;
     *best = hit;
     narrow();
+    return true;
 }
 
 void PartWalk::narrow() {

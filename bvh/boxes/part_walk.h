@@ -54,8 +54,8 @@ struct PartWalk : Walk {
         counts->primitive_tests += primitive_tests;
     }
 
-    /// Keeps a hit if it is the best; then nothing farther counts.
-    void keep(const Hit& hit);
+    /// Keeps a hit if it is the best; then nothing farther counts. Returns whether it did.
+    bool keep(const Hit& hit);
 
     /// Takes the interval up to and including the best t: at equal t the lesser place and id win.
     void narrow();

@@ -82,7 +82,7 @@ bool meet_triangles(const TriangleBlock& block, Walk& walk) {
         const bool has_positive = find.area_a > 0.0f || find.area_b > 0.0f || find.area_c > 0.0f;
         if (has_negative && has_positive) continue;
         if (!enter_box(block, lane, walk, find)) continue;
-        if (walk.calls->meet_triangle(walk, block, lane, find)) return true;
+        if (walk.calls->meet_triangle(walk, block, lane, find) == Met::end) return true;
     }
     return false;
 }
@@ -90,7 +90,7 @@ bool meet_triangles(const TriangleBlock& block, Walk& walk) {
 bool meet_spheres(const SphereBlock& block, Walk& walk) {
     for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
         ++walk.primitive_tests;
-        if (walk.calls->meet_sphere(walk, block.ids[lane])) return true;
+        if (walk.calls->meet_sphere(walk, block.ids[lane]) == Met::end) return true;
     }
     return false;
 }
@@ -106,7 +106,7 @@ bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, Walk& walk) {
             return std::any_of(tree.spheres + first, tree.spheres + first + count,
                                [&](const SphereBlock& block) { return meet_spheres(block, walk); });
         case BoxChildKind::list:
-            return walk.calls->meet_listed(walk, tree.list + first, count);
+            return walk.calls->meet_listed(walk, tree.list + first, count) == Met::end;
         case BoxChildKind::node:
             break;
     }
@@ -130,7 +130,7 @@ bool walk_tree(const BoxTreeView& tree, Walk& walk) {
         const std::size_t bottom = waiting_count;
         for (std::size_t child = 0; child < kBoxWidth; ++child) {
             bool is_met = false;
-            const Waiting entered = enter(tree.nodes[next.child], child, walk, is_met);
+            const Waiting entered = enter(node_of(tree, next.child), child, walk, is_met);
             if (is_met) stack[waiting_count++] = entered;
         }
         std::stable_sort(stack.begin() + static_cast<std::ptrdiff_t>(bottom),

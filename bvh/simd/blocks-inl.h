@@ -27,6 +27,11 @@ using FloatMask = hn::Mask<Floats>;
 /// Eight lanes are gone through in steps of so many: processors without wide vectors take two.
 inline constexpr std::uint32_t kStep = static_cast<std::uint32_t>(hn::MaxLanes(Floats()));
 
+HWY_INLINE const BoxNode& node_at(const BoxTreeView& tree, BoxChild node) {
+    return *reinterpret_cast<const BoxNode*>(reinterpret_cast<const char*>(tree.nodes) +
+                                             std::size_t{node} * kNodeUnitBytes);
+}
+
 HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(Floats(), mask, bits);
@@ -64,14 +69,15 @@ HWY_INLINE void prepare_ray(FloatRay& ray) {
     ray.shear_y = ray.dir_float[last] / ray.dir_float[fastest];
 }
 
-/// One axis of a ray, for slabs.
+/// One axis of a ray, for slabs, and where the planes that it passes first and last lie in the first
+/// node of a tree.
 struct SlabAxis {
     FloatVec origin_near;
     FloatVec origin_far;
     FloatVec inv_dir;
     FloatVec inv_dir_far;
-    std::size_t near_offset;  // into BoxNode::planes, in floats
-    std::size_t far_offset;
+    const float* near_planes;
+    const float* far_planes;
 };
 
 struct SlabRay {
@@ -81,7 +87,7 @@ struct SlabRay {
     FloatVec lo;
 };
 
-HWY_INLINE SlabAxis make_slab_axis(const FloatRay& ray, std::size_t axis) {
+HWY_INLINE SlabAxis make_slab_axis(const FloatRay& ray, const BoxNode* nodes, std::size_t axis) {
     const Floats d;
     const std::size_t near_side = ray.near_side[axis];
     SlabAxis result;
@@ -89,43 +95,43 @@ HWY_INLINE SlabAxis make_slab_axis(const FloatRay& ray, std::size_t axis) {
     result.origin_far = hn::Set(d, ray.origin_far[axis]);
     result.inv_dir = hn::Set(d, ray.inv_dir[axis]);
     result.inv_dir_far = hn::Set(d, ray.inv_dir_far[axis]);
-    result.near_offset = (axis * 2 + near_side) * kBoxWidth;
-    result.far_offset = (axis * 2 + 1 - near_side) * kBoxWidth;
+    const float* const planes = reinterpret_cast<const float*>(nodes) + axis * 2 * kBoxWidth;
+    result.near_planes = planes + near_side * kBoxWidth;
+    result.far_planes = planes + (1 - near_side) * kBoxWidth;
     return result;
 }
 
-HWY_INLINE SlabRay make_slab_ray(const Walk& walk) {
+HWY_INLINE SlabRay make_slab_ray(const Walk& walk, const BoxNode* nodes) {
     SlabRay result;
-    result.x = make_slab_axis(*walk.ray, 0);
-    result.y = make_slab_axis(*walk.ray, 1);
-    result.z = make_slab_axis(*walk.ray, 2);
+    result.x = make_slab_axis(*walk.ray, nodes, 0);
+    result.y = make_slab_axis(*walk.ray, nodes, 1);
+    result.z = make_slab_axis(*walk.ray, nodes, 2);
     result.lo = hn::Set(Floats(), walk.lo);
     return result;
 }
 
-HWY_INLINE FloatVec near_of(const SlabAxis& axis, const float* planes) {
-    const FloatVec plane = hn::Load(Floats(), planes + axis.near_offset);
+HWY_INLINE FloatVec near_of(const SlabAxis& axis, std::size_t offset) {
+    const FloatVec plane = hn::Load(Floats(), axis.near_planes + offset);
     return hn::Mul(hn::Sub(plane, axis.origin_near), axis.inv_dir);
 }
 
-HWY_INLINE FloatVec far_of(const SlabAxis& axis, const float* planes) {
-    const FloatVec plane = hn::Load(Floats(), planes + axis.far_offset);
+HWY_INLINE FloatVec far_of(const SlabAxis& axis, std::size_t offset) {
+    const FloatVec plane = hn::Load(Floats(), axis.far_planes + offset);
     return hn::Mul(hn::Sub(plane, axis.origin_far), axis.inv_dir_far);
 }
 
-/// Returns which children the ray is in somewhere between `lo` and `reach`, a bit each, and where
-/// it enters them, as the bits of floats.
-HWY_INLINE std::uint32_t meet_boxes(const BoxNode& node, const SlabRay& ray, FloatVec reach,
+/// Returns in which children of a node the ray is somewhere between `lo` and `reach`, a bit each,
+/// and where it enters them, as the bits of floats.
+HWY_INLINE std::uint32_t meet_boxes(BoxChild node, const SlabRay& ray, FloatVec reach,
                                     std::uint32_t* HWY_RESTRICT entries) {
     const Words w;
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
-        const float* planes = &node.planes[0][0][0] + i;
-        const FloatVec entry =
-            hn::Max(hn::Max(near_of(ray.x, planes), near_of(ray.y, planes)),
-                    hn::Max(near_of(ray.z, planes), ray.lo));
-        const FloatVec exit = hn::Min(hn::Min(far_of(ray.x, planes), far_of(ray.y, planes)),
-                                      hn::Min(far_of(ray.z, planes), reach));
+        const std::size_t at = std::size_t{node} * (kNodeUnitBytes / sizeof(float)) + i;
+        const FloatVec entry = hn::Max(hn::Max(near_of(ray.x, at), near_of(ray.y, at)),
+                                       hn::Max(near_of(ray.z, at), ray.lo));
+        const FloatVec exit = hn::Min(hn::Min(far_of(ray.x, at), far_of(ray.y, at)),
+                                      hn::Min(far_of(ray.z, at), reach));
         hn::Store(hn::BitCast(w, entry), w, entries + i);
         bits |= bits_of(hn::Le(entry, exit)) << i;
     }

@@ -14,40 +14,69 @@
 HWY_BEFORE_NAMESPACE();
 namespace lray::bvh::HWY_NAMESPACE {
 
-/// Tells the walk's calls of what the ray may meet in a leaf. Returns true if one ended the walk.
-HWY_NOINLINE bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearRay& shear_ray,
-                          Walk& walk) {
+/// Of a leaf in which the walk was ended.
+inline constexpr float kEnded = -1.0f;
+
+/// Of a leaf in which nothing nearer was hit.
+inline constexpr float kNoBound = 0x1p127f;
+
+/// A triangle is hit before the ray leaves its box. This is so much farther that what is entered
+/// beyond cannot hold a hit that counts: it is no nearer than reach_of() of the t that is hit.
+/// It is known long before that t is.
+HWY_INLINE float bound_of(float exit) {
+    return exit * (1.0f + 4.0f * kSlabSlack) + 0x1p-126f;
+}
+
+HWY_INLINE float meet_triangle_leaf(const TriangleBlock* block, const TriangleBlock* end,
+                                    const ShearRay& shear_ray, Walk& walk) {
+    float bound = kNoBound;
+    for (; block != end; ++block) {
+        BlockFinds finds;
+        std::uint32_t bits = meet_triangles(*block, shear_ray, walk, finds);
+        while (bits != 0) {
+            const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+            bits &= bits - 1;
+            const TriangleFind find = {finds.area_a[lane], finds.area_b[lane], finds.area_c[lane],
+                                       finds.entry[lane], finds.exit[lane]};
+            const Met met = walk.calls->meet_triangle(walk, *block, lane, find);
+            if (met == Met::nothing) continue;
+            if (met == Met::end) return kEnded;
+            const float at_most = bound_of(finds.exit[lane]);
+            bound = at_most < bound ? at_most : bound;
+        }
+    }
+    return bound;
+}
+
+HWY_INLINE float meet_sphere_leaf(const SphereBlock* block, const SphereBlock* end, Walk& walk) {
+    for (; block != end; ++block) {
+        std::uint32_t bits = meet_spheres(*block, walk);
+        while (bits != 0) {
+            const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+            bits &= bits - 1;
+            if (walk.calls->meet_sphere(walk, block->ids[lane]) == Met::end) return kEnded;
+        }
+    }
+    return walk.reach;
+}
+
+/// Tells the walk's calls of what the ray may meet in a leaf. Returns kEnded if one ended the walk,
+/// otherwise a bound on Walk::reach from above.
+HWY_NOINLINE float meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearRay& shear_ray,
+                             Walk& walk) {
     const std::uint32_t count = (leaf >> kBoxCountShift & (kMaxLeafCount - 1)) + 1;
     const std::uint32_t first = leaf & kMaxLeafFirst;
     const auto kind = static_cast<BoxChildKind>(leaf >> kBoxKindShift);
     if (kind == BoxChildKind::triangles) {
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            const TriangleBlock& block = tree.triangles[i];
-            BlockFinds finds;
-            std::uint32_t bits = meet_triangles(block, shear_ray, walk, finds);
-            while (bits != 0) {
-                const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-                bits &= bits - 1;
-                const TriangleFind find = {finds.area_a[lane], finds.area_b[lane],
-                                           finds.area_c[lane], finds.entry[lane], finds.exit[lane]};
-                if (walk.calls->meet_triangle(walk, block, lane, find)) return true;
-            }
-        }
-        return false;
+        const TriangleBlock* const block = tree.triangles + first;
+        return meet_triangle_leaf(block, block + count, shear_ray, walk);
     }
     if (kind == BoxChildKind::spheres) {
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            const SphereBlock& block = tree.spheres[i];
-            std::uint32_t bits = meet_spheres(block, walk);
-            while (bits != 0) {
-                const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-                bits &= bits - 1;
-                if (walk.calls->meet_sphere(walk, block.ids[lane])) return true;
-            }
-        }
-        return false;
+        const SphereBlock* const block = tree.spheres + first;
+        return meet_sphere_leaf(block, block + count, walk);
     }
-    return walk.calls->meet_listed(walk, tree.list + first, count);
+    const Met met = walk.calls->meet_listed(walk, tree.list + first, count);
+    return met == Met::end ? kEnded : walk.reach;
 }
 
 }  // namespace lray::bvh::HWY_NAMESPACE

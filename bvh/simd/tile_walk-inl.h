@@ -160,9 +160,9 @@ HWY_INLINE void walk_tile(const BoxTreeView& tree, Tile& tile) {
     while (top != stack) {
         const TileWaiting current = *--top;
         if (current.entry > hn::GetLane(reach)) continue;
-        if (current.child < kMaxBoxNodes) {
+        if (current.child < kFirstLeaf) {
             ++tile.node_tests;
-            const BoxNode& node = tree.nodes[current.child];
+            const BoxNode& node = node_at(tree, current.child);
             alignas(32) float entries[kBoxWidth];
             std::uint32_t bits = meet_boxes(node, bounds, reach, entries);
             TileWaiting* const bottom = top;
@@ -186,7 +186,7 @@ HWY_INLINE void walk_tile(const BoxTreeView& tree, Tile& tile) {
             const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
             rays &= rays - 1;
             Walk& walk = *tile.walks[ray];
-            if (meet_leaf(tree, current.child, make_shear_ray(*walk.ray), walk)) {
+            if (meet_leaf(tree, current.child, make_shear_ray(*walk.ray), walk) == kEnded) {
                 tile.active &= ~(std::uint64_t{1} << ray);
                 tile.reach[ray] = kNoReach;
             } else if (is_ordered) {

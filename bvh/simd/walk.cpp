@@ -69,10 +69,9 @@ HWY_INLINE bool walk_tree(const BoxTreeView& tree, Walk& walk) {
     const Floats d;
     if (tree.is_empty) return false;
     prepare_ray(*walk.ray);
-    const SlabRay slab_ray = make_slab_ray(walk);
+    const SlabRay slab_ray = make_slab_ray(walk, tree.nodes);
     const ShearRay shear_ray = make_shear_ray(*walk.ray);
     FloatVec reach = hn::Set(d, walk.reach);
-    const BoxNode* const nodes = tree.nodes;
     Waiting stack[kMaxWaiting];
     Waiting* top = stack;
     BoxChild current = tree.root;
@@ -80,11 +79,11 @@ HWY_INLINE bool walk_tree(const BoxTreeView& tree, Walk& walk) {
     bool is_ended = false;
     for (;;) {
         bool is_empty = false;
-        while (current < kMaxBoxNodes) {
+        while (current < kFirstLeaf) {
             ++node_tests;
-            const BoxNode& node = nodes[current];
+            const BoxNode& node = node_at(tree, current);
             alignas(32) std::uint32_t entries[kBoxWidth];
-            const std::uint32_t bits = meet_boxes(node, slab_ray, reach, entries);
+            const std::uint32_t bits = meet_boxes(current, slab_ray, reach, entries);
             is_empty = bits == 0;
             if (is_empty) break;
             if ((bits & (bits - 1)) == 0) {
@@ -94,11 +93,14 @@ HWY_INLINE bool walk_tree(const BoxTreeView& tree, Walk& walk) {
             }
         }
         if (!is_empty) {
-            if (meet_leaf(tree, current, shear_ray, walk)) {
+            const float reach_before = walk.reach;
+            const float bound = meet_leaf(tree, current, shear_ray, walk);
+            if (bound == kEnded) {
                 is_ended = true;
                 break;
             }
-            if (is_ordered) reach = hn::Set(d, walk.reach);
+            // The nodes to come need not wait for the exact one.
+            if (is_ordered) reach = hn::Set(d, bound < reach_before ? bound : reach_before);
         }
         const Waiting beyond = (static_cast<Waiting>(bits_of_float(walk.reach)) + 1) << 32;
         do {

@@ -33,13 +33,15 @@ struct TriangleFind {
 
 struct Walk;
 
-/// What becomes of what a walk comes upon. Each is told when the ray may meet the primitive, and
-/// returns true to end the walk. They may lower Walk::reach.
+/// What became of what a walk came upon.
+enum class Met : std::uint8_t { nothing, nearer_hit, end };
+
+/// What a walk tells of what the ray may meet. A nearer hit lowers Walk::reach.
 struct WalkCalls {
-    bool (*meet_triangle)(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                          const TriangleFind& find);
-    bool (*meet_sphere)(Walk& walk, std::uint32_t id);
-    bool (*meet_listed)(Walk& walk, const std::uint32_t* ids, std::uint32_t count);
+    Met (*meet_triangle)(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
+                         const TriangleFind& find);
+    Met (*meet_sphere)(Walk& walk, std::uint32_t id);
+    Met (*meet_listed)(Walk& walk, const std::uint32_t* ids, std::uint32_t count);
 };
 
 /// One ray on its way through one tree.

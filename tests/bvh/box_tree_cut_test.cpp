@@ -34,7 +34,7 @@ Bounds everywhere() {
 
 void collect(const BoxTreeView& tree, BoxChild child, const Bounds& box, PartsById& parts) {
     if (kind_of(child) == BoxChildKind::node) {
-        const BoxNode& node = tree.nodes[child];
+        const BoxNode& node = node_of(tree, child);
         for (std::size_t lane = 0; lane < kBoxWidth; ++lane) {
             if (node.planes[0][0][lane] == kInfinity) break;
             Bounds inner;

@@ -95,7 +95,7 @@ TEST(ObjectPath, FollowsTheOrderOfFlattenPastMeshesLightsAndWhatIsEmpty) {
     const World world = maker.flatten_cleanly();
     ASSERT_EQ(world.spheres.size(), 2u);
     const ObjectId id = world.object_of({PrimitiveKind::sphere, 1});
-    EXPECT_EQ(path_of(maker.scene, world, id), (ObjectPath{second, pair, ball}));
+    EXPECT_EQ(path_of(maker.scene, world, 0, id), (ObjectPath{second, pair, ball}));
 }
 
 }  // namespace

@@ -72,46 +72,60 @@ class Planner {
         });
     }
 
-    /// `primitives`: of the content, instances in it included. `depth`: of instances in it.
-    void choose(std::size_t content, std::uint64_t primitives, std::uint32_t depth) {
+    /// What a content would hold if it were shared.
+    struct Holding {
+        std::uint64_t primitives = 0;  // an instance in it is one
+        std::uint32_t depth = 0;       // of instances in it
+    };
+
+    void choose(std::size_t content, const Holding& holding) {
         const std::uint64_t paths = paths_[content];
-        const bool is_worth_it = paths > 1 && primitives >= rule_.min_primitives &&
-                                 saturating_multiply(paths - 1, primitives) >= rule_.min_saved;
-        const bool is_too_deep = depth >= kMaxInstanceDepth;
+        const bool is_worth_it =
+            paths > 1 && holding.primitives >= rule_.min_primitives &&
+            saturating_multiply(paths - 1, holding.primitives) >= rule_.min_saved;
+        const bool is_too_deep = holding.depth >= kMaxInstanceDepth;
         is_shared_[content] = is_worth_it && !is_too_deep;
         plan_.is_nested_too_deep = plan_.is_nested_too_deep || (is_worth_it && is_too_deep);
     }
 
     void choose() {
-        primitives_.resize(contents().count());
+        holdings_.resize(contents().count());
         is_shared_.resize(contents().count());
         for (const NodeId id : contents().first_nodes()) {
             if (id.is_none() || scene_.node(id).kind != NodeKind::mesh) continue;
-            const std::size_t content = content_of(id);
-            primitives_[content] = triangle_count(scene_, scene_.mesh_uses[scene_.node(id).index]);
-            choose(content, primitives_[content], 0);
+            Holding& holding = holdings_[content_of(id)];
+            holding.primitives = triangle_count(scene_, scene_.mesh_uses[scene_.node(id).index]);
+            choose(content_of(id), holding);
         }
-        std::vector<std::uint8_t> depths(contents().count());
         for (const NodeId id : contents().below_first()) {
             const Node& node = scene_.node(id);
             const std::size_t content = contents().content_of(node);
-            std::uint64_t primitives = 0;
-            std::uint32_t depth = 0;
-            for (const NodeId child_id : children_of(scene_, node)) {
-                const Node& child = scene_.node(child_id);
-                if (!ContentMap::has_content(child)) {
-                    add(primitives, child.kind == NodeKind::light ? 0 : 1);
-                    continue;
-                }
-                const std::size_t below = contents().content_of(child);
-                const std::uint32_t is_instance = is_shared_[below] ? 1 : 0;
-                add(primitives, is_shared_[below] ? 1 : primitives_[below]);
-                depth = std::max(depth, depths[below] + is_instance);
+            if (!contents().has_plane(node)) {
+                holdings_[content] = holding_of(node, true);
+                choose(content, holdings_[content]);
             }
-            primitives_[content] = primitives;
-            depths[content] = static_cast<std::uint8_t>(depth);
-            if (!contents().has_plane(node)) choose(content, primitives, depth);
+            if (!is_shared_[content]) holdings_[content] = holding_of(node, false);
         }
+    }
+
+    /// `is_with_own`: what is shared already but only ever met in this node, once, becomes part of
+    /// it.
+    Holding holding_of(const Node& node, bool is_with_own) const {
+        const std::uint64_t paths = paths_[contents().content_of(node)];
+        Holding result;
+        for (const NodeId child_id : children_of(scene_, node)) {
+            const Node& child = scene_.node(child_id);
+            if (!ContentMap::has_content(child)) {
+                add(result.primitives, child.kind == NodeKind::light ? 0 : 1);
+                continue;
+            }
+            const std::size_t below = contents().content_of(child);
+            const bool is_own = is_with_own && paths_[below] == paths && paths < kMost;
+            const bool is_instance = is_shared_[below] && !is_own;
+            add(result.primitives, is_instance ? 1 : holdings_[below].primitives);
+            result.depth = std::max(result.depth, holdings_[below].depth + (is_instance ? 1 : 0));
+        }
+        return result;
     }
 
     /// How often a content is stored or, shared, placed by a stored instance; of both those in the
@@ -158,7 +172,7 @@ class Planner {
     void count_mesh(std::size_t content) {
         FlattenCounts& counts = plan_.counts;
         const Uses uses = uses_[content];
-        const std::uint64_t triangles = primitives_[content];
+        const std::uint64_t triangles = holdings_[content].primitives;
         if (uses.all <= 1) is_shared_[content] = false;
         if (is_shared_[content]) {
             add(counts.primitives, triangles);
@@ -206,7 +220,7 @@ class Planner {
     FlattenPlan plan_;
     // By content:
     std::vector<std::uint64_t> paths_{};
-    std::vector<std::uint64_t> primitives_{};
+    std::vector<Holding> holdings_{};
     std::vector<bool> is_shared_{};
     std::vector<Uses> uses_{};
 };

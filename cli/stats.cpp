@@ -38,6 +38,18 @@ std::string format_kinds(const scene::World& world) {
     return text;
 }
 
+/// What instances place, which is stored once; empty without instances.
+std::string format_prototypes(const scene::World& world) {
+    if (world.prototypes.empty()) return {};
+    std::size_t primitive_count = 0;
+    for (const scene::Geometry& prototype : world.prototypes) {
+        primitive_count += prototype.primitive_count();
+    }
+    return fmt::format("stored once  {} thing{} of {} primitives, in {} places\n",
+                       world.prototypes.size(), world.prototypes.size() == 1 ? "" : "s",
+                       primitive_count, world.place_count - 1);
+}
+
 double peak_mebibytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -63,6 +75,7 @@ std::string format_stats(const scene::World& world, bvh::AccelKind accel,
     const double speed = times.render > 0.0 ? static_cast<double>(rays) / times.render * 1e-6 : 0.0;
     return fmt::format(
         "primitives   {}{}\n"
+        "{}"
         "accelerator  {}\n"
         "picture      {} x {} pixels\n"
         "rays         {}, {:.1f} tests per ray\n"
@@ -70,8 +83,8 @@ std::string format_stats(const scene::World& world, bvh::AccelKind accel,
         "seconds      {:.3f} parse, {:.3f} flatten, {:.3f} build, {:.3f} render, {:.3f} write\n"
         "speed        {:.3f} Mrays/s on {} thread{}\n"
         "memory       {:.1f} MiB at most\n",
-        world.primitive_count(), format_kinds(world), accel_name(accel), result.image.width,
-        result.image.height, rays, ratio(result.counts.primitive_tests, rays),
+        world.primitive_count(), format_kinds(world), format_prototypes(world), accel_name(accel),
+        result.image.width, result.image.height, rays, ratio(result.counts.primitive_tests, rays),
         result.samples.clamped, result.samples.nan, times.load, times.flatten, times.build,
         times.render, times.write, speed, result.thread_count, result.thread_count == 1 ? "" : "s",
         peak_mebibytes());

@@ -169,5 +169,43 @@ TEST(SharedWorld, ShowsWhatTheExpandedOneShows) {
     EXPECT_LE(difference_count, kScenes * kRays / 2000);
 }
 
+/// Rows of eight rows of eight ..., of balls that are 8^-levels small.
+World nested_rows(int levels) {
+    World world;
+    scene::Geometry row;
+    add_sphere(row, Vec3{0.0f}, 1.0f);
+    std::uint32_t inner = add_prototype(world, std::move(row));
+    for (int level = 0; level < levels; ++level) {
+        scene::Geometry next;
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 center{-0.875f + 0.25f * static_cast<float>(i), 0, 0};
+            add_instance(world, next, inner, scaled_frame(Vec3{0.125f}, center));
+        }
+        inner = add_prototype(world, std::move(next));
+    }
+    add_instance(world, world, inner, scaled_frame(Vec3{1.0f}, Vec3{0.0f}));
+    return world;
+}
+
+// In the float of a box test balls so far away are all in one place: each ray would meet them all.
+TEST(SharedWorld, TinyInstancesFarAwayAreToldApart) {
+    constexpr int kLevels = 12;
+    const World world = nested_rows(kLevels);
+    Random random(1);
+    int hit_count = 0;
+    for (const AccelKind kind : {AccelKind::none, AccelKind::spheres, AccelKind::boxes}) {
+        const auto accel = build(world, {.kind = kind});
+        for (int k = 0; k < 50; ++k) {
+            const Ray ray{Vec3{random.uniform(-1.0f, 1.0f), 0, 10}, Vec3{0, 0, -1}};
+            TraceCounts counts;
+            const Hit hit = accel->nearest_hit(ray, Interval{}, counts);
+            hit_count += hit.is_none() ? 0 : 1;
+            // Two neighbours on every level, of eight that are looked at.
+            EXPECT_LE(counts.instance_tests, 2u * 8 * (kLevels + 1));
+        }
+    }
+    EXPECT_GT(hit_count, 100);
+}
+
 }  // namespace
 }  // namespace lray::bvh

@@ -55,7 +55,7 @@ TEST(FlattenLimits, TwoToThe40InstancesAreAFewStoredOnes) {
     const World world = maker.flatten_cleanly();
     std::size_t stored = world.primitive_count();
     for (const Geometry& prototype : world.prototypes) stored += prototype.primitive_count();
-    EXPECT_LE(stored, 3u * 4096);  // near the root few uses stay as they are
+    EXPECT_LE(stored, 3u * 4096);                 // near the root few uses stay as they are
     PlaceOffset leaves = std::uint64_t{1} << 36;  // of 16 spheres each
     EXPECT_GE(world.place_count, leaves);
     EXPECT_FALSE(finite_bounds(world).is_empty());

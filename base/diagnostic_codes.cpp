@@ -336,8 +336,9 @@ constexpr CodeInfo kInfos[] = {
  "let a = [1, true]\nlet b = [a, a]\nlet c = [b, b]  // and so on, forty times, then: c == d",
  "let c = [1, true]\nlet same = c == [1, true]"},
 {LRAY_CODE(E0513), "too many things",
- "The scene holds more primitives than the limit allows. The limit keeps a small file from filling "
- "the memory; raise it with --max-primitives.",
+ "The scene holds more primitives than the limit allows, or its instances lead to more places than "
+ "can be numbered. What is placed often is stored, and counted, once. The limit keeps a small file "
+ "from filling the memory; raise it with --max-primitives.",
  "// more than 50 000 000 of these:\nsphere { }",
  "mesh { file: \"cloud.obj\" }  // one mesh, used several times, is stored once"},
 {LRAY_CODE(E0514), "list too long",

@@ -107,6 +107,13 @@ std::optional<DVec3> overlap_of(const Face& a, const Face& b) {
     return middle;
 }
 
+/// True if the point is inside of a primitive, or may be inside of what an instance places.
+bool may_be_inside(const World& world, PrimitiveId id, DVec3 point) {
+    if (id.kind() != PrimitiveKind::instance) return is_inside(world, id, point);
+    const Bounds& bounds = world.instances[id.index()].bounds;
+    return bounds.contains({Vec3{point}, Vec3{point}});
+}
+
 /// True if something closed lies on the face there, thin or thick.
 bool is_covered(const World& world, const Face& face, DVec3 middle) {
     const double size =
@@ -116,7 +123,7 @@ bool is_covered(const World& world, const Face& face, DVec3 middle) {
         for (const double rise : {0.001, 0.01, 0.1}) {
             DVec3 above = middle;
             above[face.axis] += face.faces_up ? rise * size : -rise * size;
-            is_found = is_found || (object.visible && is_inside(world, id, above));
+            is_found = is_found || (object.visible && may_be_inside(world, id, above));
         }
         return !is_found;
     });

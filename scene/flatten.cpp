@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "base/assert.h"
-#include "scene/flatten_count.h"
-#include "scene/place_light.h"
+#include "scene/flatten_plan.h"
+#include "scene/graph_walk.h"
 #include "scene/placer.h"
 
 namespace lray::scene {
@@ -23,40 +21,44 @@ namespace {
 /// times would never end. So many nodes may be entered for each primitive of the limit.
 constexpr std::uint64_t kNodesPerPrimitive = 16;
 
-/// Errors of one flattening after which it gives up: a scene that is broken in a million places
-/// has been told so.
-constexpr std::size_t kMaxErrors = 100;
+/// "12", or "more than 18446744073709551615".
+std::string format_count(std::uint64_t count) {
+    const bool is_saturated = count == std::numeric_limits<std::uint64_t>::max();
+    return fmt::format("{}{}", is_saturated ? "more than " : "", count);
+}
 
-/// True if the counts stay within the limit and what a World can number; otherwise reports E0513.
-bool is_within(const FlattenCounts& counts, const FlattenLimits& limits, const Scene& scene,
+/// True if the counts stay within the limits and what a World can number; otherwise reports E0513.
+bool is_within(const FlattenPlan& plan, const FlattenLimits& limits, const Scene& scene,
                Diagnostics& diagnostics) {
+    const FlattenCounts& counts = plan.counts;
     const Span span = scene.node(scene.root).span;
     constexpr std::uint64_t kMost = std::uint64_t{PrimitiveId::kMaxIndex} + 1;
-    if (counts.primitives > limits.primitives) {
-        const bool is_saturated = counts.primitives == std::numeric_limits<std::uint64_t>::max();
-        diagnostics
-            .error(
-                Code::E0513, span,
-                fmt::format("the scene has {}{} primitives, more than the limit of {} "
-                            "(`--max-primitives`)",
-                            is_saturated ? "more than " : "", counts.primitives, limits.primitives))
-            .with_help("raise it with `--max-primitives`");
+    if (counts.primitives > std::min(limits.primitives, kMost)) {
+        const bool is_above_limit = counts.primitives > limits.primitives;
+        Diagnostic& error = diagnostics.error(
+            Code::E0513, span,
+            is_above_limit
+                ? fmt::format("the scene has {} primitives, more than the limit of {} "
+                              "(`--max-primitives`)",
+                              format_count(counts.primitives), limits.primitives)
+                : fmt::format("the scene has {} primitives; whatever `--max-primitives` says, the "
+                              "most is {}",
+                              counts.primitives, kMost));
+        if (is_above_limit) error.with_help("raise it with `--max-primitives`");
+        if (plan.is_nested_too_deep) {
+            error.with_note(
+                fmt::format("what is placed often is stored once, but not with more "
+                            "than {} instances within each other",
+                            kMaxInstanceDepth));
+        }
         return false;
     }
-    if (counts.primitives > kMost) {
-        diagnostics.error(Code::E0513, span,
-                          fmt::format("the scene has {} primitives; whatever `--max-primitives` "
-                                      "says, the most is {}",
-                                      counts.primitives, kMost));
-        return false;
-    }
-    if (const std::uint64_t lights = counts.shapes_of(NodeKind::light); lights > limits.lights) {
-        const bool is_saturated = lights == std::numeric_limits<std::uint64_t>::max();
+    if (counts.lights > limits.lights) {
         diagnostics
             .error(Code::E0513, span,
-                   fmt::format("the scene has {}{} lights, more than the limit of {} "
+                   fmt::format("the scene has {} lights, more than the limit of {} "
                                "(`--max-lights`)",
-                               is_saturated ? "more than " : "", lights, limits.lights))
+                               format_count(counts.lights), limits.lights))
             .with_help("raise it with `--max-lights`; `emission` of a material is no light");
         return false;
     }
@@ -71,6 +73,12 @@ bool is_within(const FlattenCounts& counts, const FlattenLimits& limits, const S
                         counts.visits, most_visits, limits.primitives));
         return false;
     }
+    if (counts.places >= kMaxPlaceCount) {
+        diagnostics.error(Code::E0513, span,
+                          fmt::format("the scene's instances lead to {} places; the most is {}",
+                                      format_count(counts.places), kMaxPlaceCount - 1));
+        return false;
+    }
     return true;
 }
 
@@ -79,147 +87,110 @@ void reserve(World& world, const FlattenCounts& counts) {
         primitives.reserve(count);
         world.object_ids[static_cast<std::size_t>(kind)].reserve(count);
     };
-    const std::uint64_t literal_triangles = counts.shapes_of(NodeKind::triangle);
+    const std::uint64_t literal_triangles = counts.world_shapes_of(NodeKind::triangle);
     reserve_kind(world.triangles, PrimitiveKind::triangle,
-                 literal_triangles + counts.mesh_triangles);
-    reserve_kind(world.rectangles, PrimitiveKind::rectangle, counts.shapes_of(NodeKind::rectangle));
-    reserve_kind(world.cylinders, PrimitiveKind::cylinder, counts.shapes_of(NodeKind::cylinder));
-    reserve_kind(world.disks, PrimitiveKind::disk, counts.shapes_of(NodeKind::disk));
-    reserve_kind(world.boxes, PrimitiveKind::box, counts.shapes_of(NodeKind::box));
-    reserve_kind(world.planes, PrimitiveKind::plane, counts.shapes_of(NodeKind::plane));
-    reserve_kind(world.tori, PrimitiveKind::torus, counts.shapes_of(NodeKind::torus));
+                 literal_triangles + counts.world_mesh_triangles);
+    reserve_kind(world.rectangles, PrimitiveKind::rectangle,
+                 counts.world_shapes_of(NodeKind::rectangle));
+    reserve_kind(world.cylinders, PrimitiveKind::cylinder,
+                 counts.world_shapes_of(NodeKind::cylinder));
+    reserve_kind(world.disks, PrimitiveKind::disk, counts.world_shapes_of(NodeKind::disk));
+    reserve_kind(world.boxes, PrimitiveKind::box, counts.world_shapes_of(NodeKind::box));
+    reserve_kind(world.planes, PrimitiveKind::plane, counts.world_shapes_of(NodeKind::plane));
+    reserve_kind(world.tori, PrimitiveKind::torus, counts.world_shapes_of(NodeKind::torus));
     // Most spheres stay spheres; ellipsoids grow as they come.
-    reserve_kind(world.spheres, PrimitiveKind::sphere, counts.shapes_of(NodeKind::sphere));
+    reserve_kind(world.spheres, PrimitiveKind::sphere, counts.world_shapes_of(NodeKind::sphere));
     // A closed mesh has half as many vertices as triangles.
-    world.vertices.reserve(3 * literal_triangles + counts.mesh_triangles / 2);
-    std::uint64_t objects = 0;
-    for (const std::uint64_t count : counts.shapes) objects += count;
-    world.objects.reserve(objects - counts.shapes_of(NodeKind::light));
-    world.lights.reserve(counts.shapes_of(NodeKind::light));
+    world.vertices.reserve(3 * literal_triangles + counts.world_mesh_triangles / 2);
+    reserve_kind(world.instances, PrimitiveKind::instance, counts.world_instances);
+    std::uint64_t objects = counts.world_instances;
+    for (const std::uint64_t count : counts.world_shapes) objects += count;
+    world.objects.reserve(objects);
+    world.lights.reserve(counts.lights);
 }
 
-/// True if the map has an inverse.
-bool is_invertible(const Transform& transform) {
-    if (!transform.is_finite()) return false;
-    if (transform.is_similarity()) {
-        return std::isnormal(transform.similarity_scale());  // saves most nodes the inversion
-    }
-    return transform.inverse().has_value();
+/// Gives back what arrays that grew by doubling do not use.
+void shrink(Geometry& geometry) {
+    const auto shrink_all = [](auto&... arrays) { (arrays.shrink_to_fit(), ...); };
+    shrink_all(geometry.vertices, geometry.triangles, geometry.rectangles, geometry.spheres,
+               geometry.ellipsoids, geometry.cylinders, geometry.disks, geometry.boxes,
+               geometry.tori, geometry.instances, geometry.normals, geometry.uvs,
+               geometry.triangle_normals, geometry.triangle_uvs, geometry.objects);
+    for (std::vector<ObjectId>& object_ids : geometry.object_ids) shrink_all(object_ids);
 }
 
-/// Walks every path from the root to a shape, in the order of the graph. The stack is its own: how
-/// deep groups nest is up to the scene.
-class Walk {
+/// Returns the middle of bounds that are so far from the origin, for their size, that coordinates
+/// about it are the more precise ones.
+std::optional<DVec3> far_middle(const Bounds& bounds) {
+    if (bounds.is_empty()) return std::nullopt;
+    const DVec3 middle = 0.5 * (DVec3{bounds.min} + DVec3{bounds.max});
+    const DVec3 half = DVec3{bounds.max} - middle;
+    if (reach(middle) <= 2.0 * reach(half)) return std::nullopt;
+    return middle;
+}
+
+/// Makes the world's prototypes, and then the world.
+class Flattening {
  public:
-    Walk(const Scene& scene, const Occupied& occupied, Placer& placer, World& world,
-         Diagnostics& diagnostics)
-        : scene_(scene),
-          occupied_(occupied),
-          placer_(placer),
-          world_(world),
-          diagnostics_(diagnostics) {}
+    Flattening(const Scene& scene, const FlattenPlan& plan, World& world, Diagnostics& diagnostics)
+        : scene_(scene), plan_(plan), world_(world), diagnostics_(diagnostics) {}
 
     /// True if everything was placed.
     bool run() {
-        enter(scene_.root, Placement{});
-        while (!stack_.empty() && error_count() < kMaxErrors) {
-            Step& step = stack_.back();
-            const Node& node = scene_.node(step.id);
-            if (node.kind == NodeKind::instance && step.next_child == 0) {
-                ++step.next_child;
-                enter(scene_.instances[node.index].target, step.placement);
-            } else if (node.kind == NodeKind::group &&
-                       step.next_child < scene_.groups[node.index].children.size()) {
-                const NodeId child = scene_.groups[node.index].children[step.next_child];
-                ++step.next_child;
-                enter(child, step.placement);
-            } else {
-                stack_.pop_back();
-            }
+        world_.prototypes.reserve(plan_.prototypes.size());
+        for (const NodeId id : plan_.prototypes) {
+            if (error_count_ < kMaxFlattenErrors) add_prototype(id);
         }
-        return error_count() == 0;
+        if (error_count_ < kMaxFlattenErrors) {
+            world_.node_id = scene_.root;
+            Placer placer(scene_, world_, diagnostics_);
+            GraphWalk walk(scene_, plan_, prototypes_, placer, &world_.lights, diagnostics_);
+            walk.place(scene_.root);
+            placer.finish();
+            error_count_ += walk.error_count();
+        }
+        return error_count_ == 0;
     }
 
  private:
-    struct Step {
-        NodeId id{};
-        std::size_t next_child = 0;
-        Placement placement{};
-    };
-
-    std::size_t error_count() const { return refused_count_ + placer_.refused_count(); }
-
-    /// Places a shape, or puts a group or instance on the stack. `above` is taken by value: it may
-    /// live on the stack.
-    void enter(NodeId id, Placement placement) {
-        const Node& node = scene_.node(id);
-        if (!occupied_.has_something(node)) return;
-        placement.visible = placement.visible && node.visible;
-        placement.casts_shadow = placement.casts_shadow && node.casts_shadow;
-        // materials[0] of the world is the default; the scene's follow.
-        if (!node.material_id.is_none()) placement.material = node.material_id.value + 1;
-        if (!node.transform_id.is_none()) {
-            placement.world_from_object =
-                scene_.transforms[node.transform_id.index()].then(placement.world_from_object);
-            if (!is_invertible(placement.world_from_object)) {
-                ++refused_count_;
-                diagnostics_.error(Code::E0310, node.span,
-                                   "the transform of this node cannot be inverted");
-                return;
-            }
-            placement.is_mirrored = placement.world_from_object.is_mirrored();
+    void add_prototype(NodeId id) {
+        Prototype prototype;
+        prototype.index = static_cast<std::uint32_t>(prototypes_.size());
+        Geometry geometry = make_prototype(id, prototype, diagnostics_);
+        prototype.bounds = finite_bounds(geometry);
+        if (const auto middle = far_middle(prototype.bounds)) {
+            prototype.origin_object = *middle;
+            Diagnostics told_already;
+            geometry = make_prototype(id, prototype, told_already);
+            prototype.bounds = finite_bounds(geometry);
         }
-        if (node.kind == NodeKind::group || node.kind == NodeKind::instance) {
-            stack_.push_back({id, 0, placement});
-        } else if (node.kind == NodeKind::light) {
-            place(id, node, placement);
-        } else {
-            placer_.place(id, placement);
-        }
+        prototype.place_count = geometry.place_count;
+        shrink(geometry);
+        prototypes_.push_back(prototype);
+        world_.prototypes.push_back(std::move(geometry));
     }
 
-    void place(NodeId id, const Node& node, const Placement& placement) {
-        const Light& light = scene_.lights[node.index];
-        if (std::holds_alternative<EnvironmentLight>(light.shape)) {
-            if (!environment_.is_nowhere()) {
-                Diagnostic& second =
-                    refuse(Code::E0405, node, "a second `environment`; a scene has one");
-                if (environment_ != node.span) {  // the same one may be placed twice
-                    second.with_label(environment_, "the first one is here");
-                }
-                return;
-            }
-            environment_ = node.span;
-        }
-        const auto placed = place_light(light, placement.world_from_object);
-        if (const LightProblem* problem = std::get_if<LightProblem>(&placed)) {
-            if (*problem == LightProblem::no_area) {
-                refuse(Code::E0310, node, "what is above this light leaves it no area");
-            } else {
-                refuse(Code::E0304, node,
-                       fmt::format("this light is farther from the origin than {}, which the "
-                                   "world does not hold",
-                                   kMaxCoordinate));
-            }
-            return;
-        }
-        world_.lights.push_back(
-            {std::get<Light>(placed), id, placement.visible, node.casts_shadow});
-    }
-
-    Diagnostic& refuse(Code code, const Node& node, std::string message) {
-        ++refused_count_;
-        return diagnostics_.error(code, node.span, std::move(message));
+    Geometry make_prototype(NodeId id, Prototype& prototype, Diagnostics& diagnostics) {
+        Geometry geometry;
+        geometry.node_id = id;
+        Placement placement;
+        placement.world_from_object = Transform::translation(-prototype.origin_object);
+        placement.material = Object::kInherited;
+        Placer placer(scene_, geometry, diagnostics);
+        GraphWalk walk(scene_, plan_, prototypes_, placer, nullptr, diagnostics);
+        walk.place_content(id, placement);
+        placer.finish();
+        prototype.thinness = placer.thinness();
+        error_count_ += walk.error_count();
+        return geometry;
     }
 
     const Scene& scene_;
-    const Occupied& occupied_;
-    Placer& placer_;
+    const FlattenPlan& plan_;
     World& world_;
     Diagnostics& diagnostics_;
-    std::vector<Step> stack_;
-    Span environment_{};  // the first one
-    std::size_t refused_count_ = 0;
+    std::vector<Prototype> prototypes_{};
+    std::size_t error_count_ = 0;
 };
 
 }  // namespace
@@ -227,8 +198,8 @@ class Walk {
 std::optional<World> flatten(const Scene& scene, const FlattenLimits& limits,
                              Diagnostics& diagnostics) {
     LRAY_ASSERT(!scene.root.is_none());
-    const FlattenPlan plan = plan_flatten(scene);
-    if (!is_within(plan.counts, limits, scene, diagnostics)) return std::nullopt;
+    const FlattenPlan plan = plan_flatten(scene, limits.sharing);
+    if (!is_within(plan, limits, scene, diagnostics)) return std::nullopt;
 
     std::optional<World> world(std::in_place);
     world->materials.reserve(scene.materials.size() + 1);
@@ -237,9 +208,7 @@ std::optional<World> flatten(const Scene& scene, const FlattenLimits& limits,
     world->textures = scene.textures;
     world->pictures = scene.pictures;
     reserve(*world, plan.counts);
-    Placer placer(scene, *world, diagnostics);
-    if (!Walk(scene, plan.occupied, placer, *world, diagnostics).run()) return std::nullopt;
-    placer.finish();
+    if (!Flattening(scene, plan, *world, diagnostics).run()) return std::nullopt;
     return world;
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/assert.h"
-#include "scene/flatten_count.h"
+#include "scene/content_map.h"
 #include "scene/placer.h"
 
 namespace lray::scene {
@@ -142,12 +142,6 @@ class Measurer {
         Extent extent{};
     };
 
-    std::span<const NodeId> children_of(const Node& node) const {
-        if (node.kind == NodeKind::group) return scene_.groups[node.index].children;
-        if (node.kind == NodeKind::instance) return {&scene_.instances[node.index].target, 1};
-        return {};
-    }
-
     /// The stack is its own: how deep groups nest is up to the scene.
     Extent extent_of(NodeId id, DVec3 direction) {
         std::vector<Step> stack;
@@ -158,7 +152,7 @@ class Measurer {
         if (const auto extent = enter(id, direction, stack)) deliver(*extent);
         while (!stack.empty() && !stopped_) {
             Step& step = stack.back();
-            const auto children = children_of(scene_.node(step.id));
+            const auto children = children_of(scene_, scene_.node(step.id));
             if (step.next_child < children.size()) {
                 const NodeId child = children[step.next_child++];
                 const DVec3 down = step.direction;  // entering moves the stack

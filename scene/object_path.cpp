@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "scene/flatten_count.h"
+#include "scene/content_map.h"
+#include "scene/place.h"
 
 namespace lray::scene {
 
@@ -15,43 +16,72 @@ namespace {
 /// Of the instances that lead to an object, the innermost are shown.
 constexpr std::size_t kMaxInstancesShown = 2;
 
-/// The nodes directly below; none of a shape, mesh or light.
-std::span<const NodeId> children_of(const Scene& scene, const Node& node) {
-    if (node.kind == NodeKind::group) return scene.groups[node.index].children;
-    if (node.kind == NodeKind::instance) return {&scene.instances[node.index].target, 1};
-    return {};
-}
+/// Finds objects among the contents of a scene by counting.
+class ObjectFinder {
+ public:
+    ObjectFinder(const Scene& scene, const World& world)
+        : scene_(scene), contents_(scene), is_shared_(contents_.count()) {
+        for (const Geometry& prototype : world.prototypes) {
+            is_shared_[contents_.content_of(scene.node(prototype.node_id))] = true;
+        }
+    }
+
+    /// Adds the way from below the node of a geometry to an object of it.
+    void add_way(const Geometry& geometry, ObjectId id, ObjectPath& path) const {
+        struct Step {
+            NodeId id{};
+            std::size_t next_child = 0;
+        };
+        // Shared itself, a mesh is the one object of its geometry, and on the way already.
+        if (!ContentMap::is_inner(scene_.node(geometry.node_id))) return;
+        std::vector<Step> stack{{geometry.node_id, 0}};
+        for (std::size_t object_count = 0; !stack.empty();) {
+            Step& step = stack.back();
+            const auto children = children_of(scene_, scene_.node(step.id));
+            if (step.next_child == children.size()) {
+                stack.pop_back();
+                continue;
+            }
+            const NodeId child_id = children[step.next_child];
+            ++step.next_child;
+            const Node& child = scene_.node(child_id);
+            if (!contents_.has_primitive(child)) continue;
+            stack.push_back({child_id, 0});
+            if (ContentMap::is_inner(child) && !is_shared(child)) continue;
+            if (object_count++ == id.index()) {
+                for (std::size_t i = 1; i < stack.size(); ++i) path.push_back(stack[i].id);
+                return;
+            }
+            stack.pop_back();
+        }
+        LRAY_ASSERT(false);
+    }
+
+ private:
+    bool is_shared(const Node& node) const { return is_shared_[contents_.content_of(node)]; }
+
+    const Scene& scene_;
+    ContentMap contents_;
+    std::vector<bool> is_shared_;  // by content
+};
 
 }  // namespace
 
-ObjectPath path_of(const Scene& scene, const World& world, ObjectId id) {
-    if (scene.instances.empty() && scene.labels.empty()) return {world.object(id).node_id};
-    const Occupied occupied = plan_flatten(scene).occupied;
-    struct Step {
-        NodeId id{};
-        std::size_t next_child = 0;
-    };
-    std::vector<Step> stack{{scene.root, 0}};
-    for (std::size_t object_count = 0; !stack.empty();) {
-        Step& step = stack.back();
-        const auto children = children_of(scene, scene.node(step.id));
-        if (step.next_child == children.size()) {
-            stack.pop_back();
-            continue;
-        }
-        const NodeId child_id = children[step.next_child];
-        ++step.next_child;
-        const Node& child = scene.node(child_id);
-        if (!occupied.has_something(child) || child.kind == NodeKind::light) continue;
-        stack.push_back({child_id, 0});
-        const bool is_object = child.kind != NodeKind::group && child.kind != NodeKind::instance;
-        if (!is_object || object_count++ != id.index()) continue;
-        LRAY_ASSERT(world.object(id).node_id == child_id);
-        ObjectPath path;
-        for (std::size_t i = 1; i < stack.size(); ++i) path.push_back(stack[i].id);
-        return path;
+ObjectPath path_of(const Scene& scene, const World& world, PlaceOffset place, ObjectId id) {
+    const PlacePath way = path_to(world, place);
+    const bool is_plain = scene.instances.empty() && scene.labels.empty() && place == 0;
+    if (is_plain) return {world.object(id).node_id};
+    const ObjectFinder finder(scene, world);
+    ObjectPath path;
+    const Geometry* geometry = &world;
+    for (const PlaceStep& step : way.steps) {
+        finder.add_way(*geometry,
+                       ObjectId(static_cast<std::size_t>(step.object - geometry->objects.data())),
+                       path);
+        geometry = &world.prototypes[step.instance->prototype];
     }
-    LRAY_ASSERT(false);
+    finder.add_way(*geometry, id, path);
+    return path;
 }
 
 std::string title_of(const Scene& scene, const Node& node) {
@@ -62,7 +92,7 @@ std::string title_of(const Scene& scene, const Node& node) {
 
 void add_place(Diagnostic& diagnostic, const Scene& scene, const World& world, ObjectId id,
                std::string message) {
-    const ObjectPath path = path_of(scene, world, id);
+    const ObjectPath path = path_of(scene, world, 0, id);
     const Node& shape = scene.node(path.back());
     diagnostic.with_label(shape.span, std::move(message));
     std::string names;

@@ -12,12 +12,12 @@ namespace lray::scene {
 /// The nodes from below the root to the shape or mesh.
 using ObjectPath = std::vector<NodeId>;
 
-/// Returns the path of an object. Walks the graph as flatten() does, up to the object: for the few
-/// that a message is about.
-ObjectPath path_of(const Scene& scene, const World& world, ObjectId id);
+/// Returns the path of an object of the geometry of a place. Walks what is stored as flatten()
+/// does, up to the object: for the few that a message is about.
+ObjectPath path_of(const Scene& scene, const World& world, PlaceOffset place, ObjectId id);
 
-/// Says where the object is: a label with `message` at its shape; if it is placed by instances,
-/// labels there, and the names on the way to it as a note.
+/// Says where an object in the world's own space is: a label with `message` at its shape; if it is
+/// placed by instances, labels there, and the names on the way to it as a note.
 void add_place(Diagnostic& diagnostic, const Scene& scene, const World& world, ObjectId id,
                std::string message);
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/assert.h"
-#include "scene/flatten_count.h"
+#include "scene/content_map.h"
 #include "scene/placer.h"
 
 namespace lray::scene {
@@ -92,42 +92,42 @@ void Placer::place_triangles(const Node& node, TriangleRange range, const Placem
     const auto uv_triples = slice(mesh.uv_indices, range);
 
     const UsedElements positions(triangles, mesh.positions.size());
-    const std::size_t first_vertex = world_.vertices.size();
+    const std::size_t first_vertex = geometry_.vertices.size();
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const DVec3 p = transform.point(turn_up(mesh.positions[positions.element(i)], use.z_is_up));
         if (!are_placeable(node, {&p, 1})) return;
-        world_.vertices.push_back(Vec3{p});
+        geometry_.vertices.push_back(Vec3{p});
     }
 
     const UsedElements normals(normal_triples, mesh.normals.size());
-    const std::size_t first_normal = world_.normals.size();
+    const std::size_t first_normal = geometry_.normals.size();
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const Vec3 normal = mesh.normals[normals.element(i)];
         // 0 stands for a normal that has no direction: triangles that use it are facetted.
-        world_.normals.push_back(
+        geometry_.normals.push_back(
             Vec3{unit(transform.normal(turn_up(normal, use.z_is_up))).value_or(DVec3{0.0})});
     }
 
     const UsedElements uvs(uv_triples, mesh.uvs.size());
-    const std::size_t first_uv = world_.uvs.size();
-    for (std::size_t i = 0; i < uvs.size(); ++i) world_.uvs.push_back(mesh.uvs[uvs.element(i)]);
+    const std::size_t first_uv = geometry_.uvs.size();
+    for (std::size_t i = 0; i < uvs.size(); ++i) geometry_.uvs.push_back(mesh.uvs[uvs.element(i)]);
 
     std::size_t dropped_count = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const IndexTriple vertices =
             renumber(positions, triangles[i], first_vertex, placement.is_mirrored);
-        if (is_degenerate(world_.vertices[vertices[0]], world_.vertices[vertices[1]],
-                          world_.vertices[vertices[2]])) {
+        if (is_degenerate(geometry_.vertices[vertices[0]], geometry_.vertices[vertices[1]],
+                          geometry_.vertices[vertices[2]])) {
             ++dropped_count;
             continue;
         }
-        world_.triangles.push_back({vertices});
+        geometry_.triangles.push_back({vertices});
         add_object_id(PrimitiveKind::triangle);
         if (!normal_triples.empty() && normal_triples[i][0] != Mesh::kNone) {
             const IndexTriple triple =
                 renumber(normals, normal_triples[i], first_normal, placement.is_mirrored);
             const bool are_usable = std::none_of(triple.begin(), triple.end(), [&](auto index) {
-                return world_.normals[index] == Vec3{0.0f};
+                return geometry_.normals[index] == Vec3{0.0f};
             });
             if (are_usable) set_triangle_normals(triple);
         }

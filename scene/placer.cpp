@@ -18,15 +18,6 @@ DVec3 absolute(DVec3 v) {
     return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
 }
 
-/// The largest magnitude of a component; NaN counts as infinite.
-double reach(DVec3 v) {
-    const DVec3 a = absolute(v);
-    if (std::isnan(a.x) || std::isnan(a.y) || std::isnan(a.z)) {
-        return std::numeric_limits<double>::infinity();
-    }
-    return std::max(a.x, std::max(a.y, a.z));
-}
-
 double length(DVec3 v) {
     return std::sqrt(dot(v, v));
 }
@@ -46,6 +37,14 @@ DMat3 rotation_to(DVec3 n) {
 
 }  // namespace
 
+double reach(DVec3 v) {
+    const DVec3 a = absolute(v);
+    if (std::isnan(a.x) || std::isnan(a.y) || std::isnan(a.z)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return std::max(a.x, std::max(a.y, a.z));
+}
+
 std::optional<DVec3> unit(DVec3 v) {
     // By the largest component first: no square over- or underflows.
     const double largest = reach(v);
@@ -60,9 +59,7 @@ bool is_degenerate(Vec3 a, Vec3 b, Vec3 c) {
 
 void Placer::place(NodeId node_id, const Placement& placement) {
     const Node& node = scene_.node(node_id);
-    object_id_ = ObjectId{world_.objects.size()};
-    world_.objects.push_back(
-        {node_id, placement.material, placement.visible, placement.casts_shadow});
+    add_object(node_id, placement);
     switch (node.kind) {
         case NodeKind::sphere:
             return place_sphere(node, placement);
@@ -90,11 +87,17 @@ void Placer::place(NodeId node_id, const Placement& placement) {
     LRAY_ASSERT(false);
 }
 
+void Placer::add_object(NodeId node_id, const Placement& placement) {
+    object_id_ = ObjectId{geometry_.objects.size()};
+    geometry_.objects.push_back(
+        {node_id, placement.material, placement.visible, placement.casts_shadow});
+}
+
 void Placer::finish() {
     constexpr IndexTriple kAbsent{Mesh::kNone, Mesh::kNone, Mesh::kNone};
-    const std::size_t count = world_.triangles.size();
-    if (!world_.triangle_normals.empty()) world_.triangle_normals.resize(count, kAbsent);
-    if (!world_.triangle_uvs.empty()) world_.triangle_uvs.resize(count, kAbsent);
+    const std::size_t count = geometry_.triangles.size();
+    if (!geometry_.triangle_normals.empty()) geometry_.triangle_normals.resize(count, kAbsent);
+    if (!geometry_.triangle_uvs.empty()) geometry_.triangle_uvs.resize(count, kAbsent);
 }
 
 void Placer::place_sphere(const Node& node, const Placement& placement) {
@@ -104,7 +107,7 @@ void Placer::place_sphere(const Node& node, const Placement& placement) {
     if (!transform.is_similarity()) {
         const auto frame = make_frame(node, transform.linear() * shape.radius, center);
         if (!frame) return;
-        world_.ellipsoids.push_back({*frame});
+        geometry_.ellipsoids.push_back({*frame});
         add_object_id(PrimitiveKind::ellipsoid);
         return;
     }
@@ -116,65 +119,8 @@ void Placer::place_sphere(const Node& node, const Placement& placement) {
                            kMinSize));
         return;
     }
-    world_.spheres.push_back({Vec3{center}, static_cast<float>(radius)});
+    geometry_.spheres.push_back({Vec3{center}, static_cast<float>(radius)});
     add_object_id(PrimitiveKind::sphere);
-}
-
-void Placer::place_rectangle(const Node& node, const Placement& placement) {
-    const RectangleShape& shape = scene_.rectangles[node.index];
-    const Transform& transform = placement.world_from_object;
-    const std::array corners{transform.point(shape.corner),
-                             transform.point(shape.corner + shape.edge_u),
-                             transform.point(shape.corner + shape.edge_u + shape.edge_v),
-                             transform.point(shape.corner + shape.edge_v)};
-    if (!are_placeable(node, corners)) return;
-    const Rectangle rectangle{
-        {Vec3{corners[0]}, Vec3{corners[1]}, Vec3{corners[2]}, Vec3{corners[3]}},
-        placement.is_mirrored};
-    const auto& [p00, p10, p11, p01] = rectangle.corners;
-    if (is_degenerate(p00, p10, p11) && is_degenerate(p00, p11, p01)) return warn_no_area(node);
-    world_.rectangles.push_back(rectangle);
-    add_object_id(PrimitiveKind::rectangle);
-}
-
-void Placer::place_triangle(const Node& node, const Placement& placement) {
-    const TriangleShape& shape = scene_.triangles[node.index];
-    const Transform& transform = placement.world_from_object;
-    std::array corners{transform.point(shape.a), transform.point(shape.b),
-                       transform.point(shape.c)};
-    if (!are_placeable(node, corners)) return;
-    const std::array order = placement.is_mirrored ? std::array<std::size_t, 3>{0, 2, 1}
-                                                   : std::array<std::size_t, 3>{0, 1, 2};
-    const auto base = static_cast<std::uint32_t>(world_.vertices.size());
-    const Vec3 a{corners[order[0]]};
-    const Vec3 b{corners[order[1]]};
-    const Vec3 c{corners[order[2]]};
-    if (is_degenerate(a, b, c)) return warn_no_area(node);
-    world_.vertices.insert(world_.vertices.end(), {a, b, c});
-    world_.triangles.push_back({{base, base + 1, base + 2}});
-    add_object_id(PrimitiveKind::triangle);
-    if (shape.attributes == TriangleShape::kNoAttributes) return;
-
-    const TriangleAttributes& attributes = scene_.triangle_attributes[shape.attributes];
-    if (attributes.normals) {
-        std::array<Vec3, 3> normals{};
-        bool are_usable = true;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto normal = unit(transform.normal((*attributes.normals)[order[i]]));
-            are_usable = are_usable && normal.has_value();
-            if (normal) normals[i] = Vec3{*normal};
-        }
-        if (are_usable) {
-            const auto first = static_cast<std::uint32_t>(world_.normals.size());
-            world_.normals.insert(world_.normals.end(), normals.begin(), normals.end());
-            set_triangle_normals({first, first + 1, first + 2});
-        }
-    }
-    if (attributes.uvs) {
-        const auto first = static_cast<std::uint32_t>(world_.uvs.size());
-        for (const std::size_t i : order) world_.uvs.push_back(Vec2{(*attributes.uvs)[i]});
-        set_triangle_uvs({first, first + 1, first + 2});
-    }
 }
 
 void Placer::place_cylinder(const Node& node, const Placement& placement) {
@@ -193,7 +139,7 @@ void Placer::place_cylinder(const Node& node, const Placement& placement) {
     const auto frame =
         make_frame(node, transform.linear() * linear_object, transform.point(bottom));
     if (!frame) return;
-    world_.cylinders.push_back({*frame, static_cast<float>(top_radius / radius), shape.caps});
+    geometry_.cylinders.push_back({*frame, static_cast<float>(top_radius / radius), shape.caps});
     add_object_id(PrimitiveKind::cylinder);
 }
 
@@ -209,7 +155,7 @@ void Placer::place_disk(const Node& node, const Placement& placement) {
     linear[1] = normal ? *normal * std::max(length(linear[0]), length(linear[2])) : DVec3{0.0};
     const auto frame = make_frame(node, linear, transform.point(shape.center));
     if (!frame) return;
-    world_.disks.push_back({*frame, static_cast<float>(shape.hole / shape.radius)});
+    geometry_.disks.push_back({*frame, static_cast<float>(shape.hole / shape.radius)});
     add_object_id(PrimitiveKind::disk);
 }
 
@@ -221,7 +167,7 @@ void Placer::place_box(const Node& node, const Placement& placement) {
                        transform.linear()[2] * half.z};
     const auto frame = make_frame(node, linear, transform.point((shape.min + shape.max) * 0.5));
     if (!frame) return;
-    world_.boxes.push_back({*frame});
+    geometry_.boxes.push_back({*frame});
     add_object_id(PrimitiveKind::box);
 }
 
@@ -234,7 +180,7 @@ void Placer::place_plane(const Node& node, const Placement& placement) {
         refuse(Code::E0310, node, "the transform leaves this plane no normal");
         return;
     }
-    world_.planes.push_back({Vec3{point}, Vec3{*normal}});
+    geometry_.planes.push_back({Vec3{point}, Vec3{*normal}});
     add_object_id(PrimitiveKind::plane);
 }
 
@@ -255,13 +201,17 @@ void Placer::place_torus(const Node& node, const Placement& placement) {
                            tube / steepest, kMinSize));
         return;
     }
-    world_.tori.push_back({*frame, static_cast<float>(tube)});
+    geometry_.tori.push_back({*frame, static_cast<float>(tube)});
     add_object_id(PrimitiveKind::torus);
 }
 
 std::optional<AffineFrame> Placer::make_frame(const Node& node, const DMat3& linear, DVec3 offset) {
     const DVec3 extent = absolute(linear[0]) + absolute(linear[1]) + absolute(linear[2]);
     if (!are_placeable(node, std::array{offset + extent, offset - extent})) return std::nullopt;
+    return invert(node, linear, offset);
+}
+
+std::optional<AffineFrame> Placer::invert(const Node& node, const DMat3& linear, DVec3 offset) {
     const auto inverse = Transform::affine(linear, DVec3{0.0}).inverse();
     if (!inverse) {
         refuse(Code::E0310, node,
@@ -315,18 +265,6 @@ void Placer::refuse(Code code, const Node& node, std::string message) {
 void Placer::warn_no_area(const Node& node) {
     diagnostics_.warning(Code::W1201, node.span,
                          fmt::format("this {} has no area", name_of(node.kind)));
-}
-
-void Placer::set_triangle_normals(const IndexTriple& triple) {
-    constexpr IndexTriple kAbsent{Mesh::kNone, Mesh::kNone, Mesh::kNone};
-    world_.triangle_normals.resize(world_.triangles.size() - 1, kAbsent);
-    world_.triangle_normals.push_back(triple);
-}
-
-void Placer::set_triangle_uvs(const IndexTriple& triple) {
-    constexpr IndexTriple kAbsent{Mesh::kNone, Mesh::kNone, Mesh::kNone};
-    world_.triangle_uvs.resize(world_.triangles.size() - 1, kAbsent);
-    world_.triangle_uvs.push_back(triple);
 }
 
 }  // namespace lray::scene

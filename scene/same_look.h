@@ -5,7 +5,8 @@
 
 namespace lray::scene {
 
-/// True if both are visible and opaque, and of materials that look different.
+/// True if both are visible and opaque, and of materials that look different. Of two instances of
+/// one prototype: if something in it has their materials.
 bool shows_a_difference(const World& world, PrimitiveId a, PrimitiveId b);
 
 }  // namespace lray::scene

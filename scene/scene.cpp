@@ -34,4 +34,10 @@ std::string_view name_of(NodeKind kind) {
     LRAY_ASSERT(false);
 }
 
+std::span<const NodeId> children_of(const Scene& scene, const Node& node) {
+    if (node.kind == NodeKind::group) return scene.groups[node.index].children;
+    if (node.kind == NodeKind::instance) return {&scene.instances[node.index].target, 1};
+    return {};
+}
+
 }  // namespace lray::scene

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -105,5 +106,8 @@ struct Scene {
 
     const Node& node(NodeId id) const { return nodes[id.index()]; }
 };
+
+/// Returns the nodes directly below a group or instance; of other nodes none.
+std::span<const NodeId> children_of(const Scene& scene, const Node& node);
 
 }  // namespace lray::scene

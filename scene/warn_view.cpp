@@ -120,6 +120,10 @@ std::optional<Bounds> quick_bounds(const World& world, PrimitiveKind kind) {
         }
         return bounds;
     }
+    if (kind == PrimitiveKind::instance) {
+        for (const WorldInstance& instance : world.instances) bounds.add(instance.bounds);
+        return bounds;
+    }
     return std::nullopt;
 }
 

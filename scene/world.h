@@ -38,6 +38,10 @@ inline constexpr std::size_t kSurfaceKindCount = 9;
 /// what that places, anew. Places are numbered as they are come by on a walk that enters each
 /// instance before it goes on; an offset counts from the place of what an instance stands in.
 using PlaceOffset = std::uint64_t;
+/// The places of a world are fewer.
+inline constexpr PlaceOffset kMaxPlaceCount = PlaceOffset{1} << 63;
+/// So many instances lead to a place at most: rays are followed there by recursion.
+inline constexpr std::uint32_t kMaxInstanceDepth = 64;
 
 /// A primitive of a geometry: its kind in the top bits, its index below. Ids are totally ordered;
 /// the least one wins when two primitives are hit at the same t.
@@ -172,6 +176,7 @@ struct Geometry {
     std::vector<Object> objects{};
 
     PlaceOffset place_count = 1;  // this one and those of all instances, however deep
+    NodeId node_id{};             // whose content it is: the root, or of a prototype the first node
 
     ObjectId object_of(PrimitiveId id) const {
         return object_ids[static_cast<std::size_t>(id.kind())][id.index()];

@@ -56,6 +56,7 @@ std::vector<Golden> goldens() {
         {"terrain_map",
          "examples/terrain.lrs",
          {"--size", "64x64", "--camera", "map", "-D", "detail=25", "-D", "seed=7"}},
+        {"forest", "examples/forest.lrs", {"--size", "128x72", "-D", "trees=500"}},
         {"materials", "examples/lib/materials.lrs", {"--size", "120x60"}},
         {"std_colors", "parser/std/colors.lrs", {"--size", "90x90"}},
         {"std_lights", "parser/std/lights.lrs", {"--size", "128x80"}},

@@ -49,10 +49,22 @@ NodeId add_doubling(SceneMaker& maker, NodeId node, int levels) {
     return node;
 }
 
-TEST(FlattenLimits, TwoToThe40InstancesAreRefusedAtOnce) {
+TEST(FlattenLimits, TwoToThe40InstancesAreAFewStoredOnes) {
     SceneMaker maker;
     maker.place(add_doubling(maker, maker.add(SphereShape{}), 40));
-    const Diagnostic error = expect_refused(maker.scene);
+    const World world = maker.flatten_cleanly();
+    std::size_t stored = world.primitive_count();
+    for (const Geometry& prototype : world.prototypes) stored += prototype.primitive_count();
+    EXPECT_LE(stored, 3u * 4096);                 // near the root few uses stay as they are
+    PlaceOffset leaves = std::uint64_t{1} << 36;  // of 16 spheres each
+    EXPECT_GE(world.place_count, leaves);
+    EXPECT_FALSE(finite_bounds(world).is_empty());
+}
+
+TEST(FlattenLimits, TwoToThe40CopiesAreRefusedAtOnce) {
+    SceneMaker maker;
+    maker.place(add_doubling(maker, maker.add(SphereShape{}), 40));
+    const Diagnostic error = expect_refused(maker.scene, {.sharing = SharingRule::nothing()});
     EXPECT_EQ(error.code, Code::E0513);
     EXPECT_NE(error.message.find("1099511627776 primitives"), std::string::npos) << error.message;
     EXPECT_NE(error.message.find("limit of 50000000"), std::string::npos) << error.message;
@@ -62,15 +74,67 @@ TEST(FlattenLimits, TwoToThe40InstancesAreRefusedAtOnce) {
 TEST(FlattenLimits, CountsThatOverflow64BitsAreRefused) {
     SceneMaker maker;
     maker.place(add_doubling(maker, maker.add(SphereShape{}), 300));
-    const Diagnostic error = expect_refused(maker.scene, {~std::uint64_t{0} - 1});
+    const Diagnostic error = expect_refused(
+        maker.scene, {.primitives = ~std::uint64_t{0} - 1, .sharing = SharingRule::nothing()});
     EXPECT_EQ(error.code, Code::E0513);
     EXPECT_NE(error.message.find("more than"), std::string::npos);
+}
+
+TEST(FlattenLimits, PlacesThatOverflow63BitsAreRefused) {
+    SceneMaker maker;
+    maker.place(add_doubling(maker, maker.add(SphereShape{}), 100));
+    const Diagnostic error = expect_refused(maker.scene);
+    EXPECT_EQ(error.code, Code::E0513);
+    EXPECT_EQ(error.message,
+              "the scene's instances lead to more than 18446744073709551615 places; the most is "
+              "9223372036854775807");
+}
+
+TEST(FlattenLimits, PlacesJustBelow63BitsAreFine) {
+    SceneMaker maker;
+    // Levels of 16 uses, 15 of them: 2^60 places at the end, and a 16th of that above.
+    NodeId node = maker.add(MeshUse{maker.add_mesh(make_strip(16))});
+    for (int level = 0; level < 15; ++level) {
+        std::vector<NodeId> uses;
+        for (int i = 0; i < 16; ++i) uses.push_back(maker.add_instance(node));
+        node = maker.add_group(uses);
+    }
+    maker.place(node);
+    const World world = maker.flatten_cleanly();
+    EXPECT_GT(world.place_count, PlaceOffset{1} << 60);
+    EXPECT_LT(world.place_count, PlaceOffset{1} << 61);
+}
+
+TEST(FlattenLimits, InstancesDeeperThanTheMostAreCopiesAndTheMessageSaysSo) {
+    // A chain in which each level is a little more than the one below, used twice: stored once each
+    // as long as that is allowed.
+    const auto make = [](int levels) {
+        SceneMaker maker;
+        NodeId node = maker.add_group({maker.add(SphereShape{}), maker.add(SphereShape{})});
+        for (int i = 0; i < levels; ++i) {
+            node = maker.add_group({maker.add_instance(node), maker.add(SphereShape{})});
+            maker.place(node);
+        }
+        return maker;
+    };
+    const FlattenLimits limits{.primitives = 500, .sharing = {2, 0}};
+    Diagnostics diagnostics;
+    const auto world = flatten(make(64).scene, limits, diagnostics);
+    ASSERT_TRUE(world.has_value());
+    EXPECT_EQ(world->prototypes.size(), 63u);  // the last level is used once
+    const Diagnostic error = expect_refused(make(400).scene, limits);
+    EXPECT_EQ(error.code, Code::E0513);
+    ASSERT_EQ(error.notes.size(), 1u);
+    EXPECT_EQ(error.notes[0],
+              "what is placed often is stored once, but not with more than 64 instances within "
+              "each other");
 }
 
 TEST(FlattenLimits, MoreThanAWorldCanNumberIsRefusedWhateverTheLimit) {
     SceneMaker maker;
     maker.place(add_doubling(maker, maker.add(SphereShape{}), 29));
-    const Diagnostic error = expect_refused(maker.scene, {~std::uint64_t{0}});
+    const Diagnostic error = expect_refused(
+        maker.scene, {.primitives = ~std::uint64_t{0}, .sharing = SharingRule::nothing()});
     EXPECT_EQ(error.code, Code::E0513);
     EXPECT_NE(error.message.find("the most is 268435456"), std::string::npos) << error.message;
 }
@@ -88,7 +152,7 @@ TEST(FlattenLimits, LongChainsSharedManyTimesAreRefused) {
     NodeId node = maker.add(SphereShape{});
     for (int i = 0; i < 100000; ++i) node = maker.add_group({node});
     maker.place(add_doubling(maker, node, 20));
-    const Diagnostic error = expect_refused(maker.scene);
+    const Diagnostic error = expect_refused(maker.scene, {.sharing = SharingRule::nothing()});
     EXPECT_EQ(error.code, Code::E0513);
     EXPECT_NE(error.message.find("--max-primitives"), std::string::npos) << error.message;
 }

@@ -79,6 +79,53 @@ TEST(Lint, FarFromTheOriginInsideStaysInside) {
     EXPECT_EQ(codes(maker), "W1204 W1204 ");
 }
 
+/// A wall of 17 x 300 balls, of which a row is stored once, at z = 0.
+NodeId add_wall(SceneMaker& maker) {
+    std::vector<NodeId> row;
+    for (int i = 0; i < 17; ++i) row.push_back(maker.add(SphereShape{{3.0 * i, 0, 0}, 1.0}));
+    const NodeId row_id = maker.add_group(row);
+    for (int i = 0; i < 300; ++i) {
+        maker.place(maker.add_instance(row_id, {Transform::translation({0, 3.0 * i, 0})}));
+    }
+    return row_id;
+}
+
+TEST(Lint, InstancesAreInViewOrNot) {
+    SceneMaker maker;
+    add_wall(maker);
+    ASSERT_EQ(maker.flatten_cleanly().prototypes.size(), 1u);
+    add_camera(maker, {0, 0, 50}, {0, 0, 0});
+    EXPECT_EQ(codes(maker), "");
+    maker.scene.cameras[0].look_at = {0, 0, 90};
+    EXPECT_EQ(codes(maker), "W1205 ");
+}
+
+TEST(Lint, InstancesInOnePlaceDifferByTheMaterialThatTheyHandDown) {
+    SceneMaker maker;
+    const MaterialId red = maker.add_material({1, 0, 0});
+    const MaterialId blue = maker.add_material({0, 0, 1});
+    const NodeId row = add_wall(maker);
+    const Transform there = Transform::translation({0, 0, 10});
+    maker.place(maker.add_instance(row, {.transform = there, .material = red}));
+    EXPECT_EQ(codes(maker), "");
+    maker.place(maker.add_instance(row, {.transform = there, .material = red}));
+    EXPECT_EQ(codes(maker), "") << "it makes no difference which is seen";
+    maker.place(maker.add_instance(row, {.transform = there, .material = blue}));
+    EXPECT_EQ(codes(maker), "W1206 ");
+    for (Node& node : maker.scene.nodes) {
+        if (node.kind == NodeKind::sphere) node.material_id = red;
+    }
+    EXPECT_EQ(codes(maker), "") << "all have a material of their own";
+}
+
+TEST(Lint, WhatAnInstancePlacesIsContentOfARoom) {
+    SceneMaker maker;
+    add_wall(maker);
+    maker.place(maker.add(SphereShape{{0, 0, 0}, 5000.0}));
+    add_camera(maker, {0, 0, 50}, {0, 0, 0});
+    EXPECT_EQ(codes(maker), "");
+}
+
 TEST(ObjectPath, FollowsTheOrderOfFlattenPastMeshesLightsAndWhatIsEmpty) {
     SceneMaker maker;
     maker.scene.labels = {"part"};
@@ -95,7 +142,7 @@ TEST(ObjectPath, FollowsTheOrderOfFlattenPastMeshesLightsAndWhatIsEmpty) {
     const World world = maker.flatten_cleanly();
     ASSERT_EQ(world.spheres.size(), 2u);
     const ObjectId id = world.object_of({PrimitiveKind::sphere, 1});
-    EXPECT_EQ(path_of(maker.scene, world, id), (ObjectPath{second, pair, ball}));
+    EXPECT_EQ(path_of(maker.scene, world, 0, id), (ObjectPath{second, pair, ball}));
 }
 
 }  // namespace

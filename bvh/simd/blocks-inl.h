@@ -40,20 +40,22 @@ HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
 
 /// prepare_floats() of prepared_ray.h.
 HWY_INLINE void prepare_ray(FloatRay& ray) {
-    const hn::FixedTag<float, 4> d;
+    const hn::CappedTag<float, 4> d;
     const hn::RebindToUnsigned<decltype(d)> w;
     const auto most = hn::Set(d, kMaxInverse);
-    const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Load(d, ray.dir_float));
-    const auto limited = hn::Max(hn::Min(inverse, most), hn::Neg(most));
-    const auto origin = hn::Load(d, ray.origin_float);
-    const auto slack = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, kOriginSlack)),
-                               hn::Set(d, kLeastOriginSlack));
-    const auto ahead = hn::CopySign(slack, inverse);
-    hn::Store(limited, d, ray.inv_dir);
-    hn::Store(hn::Mul(limited, hn::Set(d, kExitFactor)), d, ray.inv_dir_far);
-    hn::Store(hn::Add(origin, ahead), d, ray.origin_near);
-    hn::Store(hn::Sub(origin, ahead), d, ray.origin_far);
-    hn::Store(hn::ShiftRight<31>(hn::BitCast(w, inverse)), w, ray.near_side);
+    for (std::size_t i = 0; i < 4; i += hn::MaxLanes(d)) {
+        const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Load(d, ray.dir_float + i));
+        const auto limited = hn::Max(hn::Min(inverse, most), hn::Neg(most));
+        const auto origin = hn::Load(d, ray.origin_float + i);
+        const auto slack = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, kOriginSlack)),
+                                   hn::Set(d, kLeastOriginSlack));
+        const auto ahead = hn::CopySign(slack, inverse);
+        hn::Store(limited, d, ray.inv_dir + i);
+        hn::Store(hn::Mul(limited, hn::Set(d, kExitFactor)), d, ray.inv_dir_far + i);
+        hn::Store(hn::Add(origin, ahead), d, ray.origin_near + i);
+        hn::Store(hn::Sub(origin, ahead), d, ray.origin_far + i);
+        hn::Store(hn::ShiftRight<31>(hn::BitCast(w, inverse)), w, ray.near_side + i);
+    }
     // Without branches: rays after each other may run anywhere.
     const float x = ray.dir_float[0] < 0.0f ? -ray.dir_float[0] : ray.dir_float[0];
     const float y = ray.dir_float[1] < 0.0f ? -ray.dir_float[1] : ray.dir_float[1];

@@ -182,6 +182,7 @@ TEST(LayeringRules, HeadersNeedPragmaOnce) {
     EXPECT_THAT(broken_rules("base/a.h", "// A.\nnamespace lray {}\n", small_table()),
                 ElementsAre("base/a.h:1: a header begins with #pragma once"));
     EXPECT_THAT(broken_rules("base/a.cpp", "namespace lray {}\n", small_table()), IsEmpty());
+    EXPECT_THAT(broken_rules("base/a-inl.h", "namespace lray {}\n", small_table()), IsEmpty());
 }
 
 TEST(LayeringRules, FilesOutsideTheTableAreBroken) {

@@ -69,7 +69,7 @@ class Checker {
         ASSERT_LE(depth, kMaxBoxDepth);
         switch (kind_of(child)) {
             case BoxChildKind::node:
-                visit_node(tree_.view.nodes[child], box, depth);
+                visit_node(node_of(tree_.view, child), box, depth);
                 return;
             case BoxChildKind::triangles:
                 visit_triangles(child, box);

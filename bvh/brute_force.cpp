@@ -110,7 +110,7 @@ class BruteForce final : public Accel {
                     const KernelHit found =
                         intersect_kind<kind>(*part.geometry, i, ray, up_to(best, interval));
                     if (found.is_none()) continue;
-                    const Hit hit{found.t, found.u,      found.v, PrimitiveId(kind, i),
+                    const Hit hit{found.t, found.u,     found.v, PrimitiveId(kind, i),
                                   place,   found.normal};
                     if (is_closer(hit, best)) best = hit;
                 }

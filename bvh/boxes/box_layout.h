@@ -21,8 +21,8 @@ inline constexpr unsigned kBoxCountShift = 27;
 inline constexpr std::uint32_t kMaxLeafCount = 8;  // stored less one, in three bits
 inline constexpr std::uint32_t kMaxLeafFirst = (std::uint32_t{1} << kBoxCountShift) - 1;
 
-/// A BoxChildKind in the two top bits. A node: its index times kNodeUnits below, so that its address
-/// takes a shift. A leaf: the count less one in three bits, then `first`.
+/// A BoxChildKind in the two top bits. A node: its index times kNodeUnits below, so that its
+/// address takes a shift. A leaf: the count less one in three bits, then `first`.
 using BoxChild = std::uint32_t;
 inline constexpr BoxChild kFirstLeaf = BoxChild{1} << kBoxKindShift;
 

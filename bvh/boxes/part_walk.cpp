@@ -80,7 +80,7 @@ bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
 }
 
 Met nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                      const TriangleFind& find) {
+                     const TriangleFind& find) {
     auto& self = static_cast<PartWalk&>(walk);
     return self.keep(finish(self, block, lane, find)) ? Met::nearer_hit : Met::nothing;
 }
@@ -106,7 +106,7 @@ Met nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
 }
 
 Met any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                  const TriangleFind& find) {
+                 const TriangleFind& find) {
     const auto& self = static_cast<const PartWalk&>(walk);
     const bool is_hit =
         self.casts_shadow(id_of(block.ids[lane])) && !finish(self, block, lane, find).is_none();
@@ -155,14 +155,20 @@ void PartWalk::seek_nearest(Hit& the_best) {
     calls = &kNearestCalls;
     best = &the_best;
     narrow();
+}
+
+void PartWalk::seek_any() {
+    calls = &kAnyCalls;
+}
+
+void PartWalk::meet_planes() {
     for (const PrimitiveId plane : part->tree.planes) {
         ++primitive_tests;
         keep(meet(*this, plane));
     }
 }
 
-bool PartWalk::seek_any() {
-    calls = &kAnyCalls;
+bool PartWalk::meets_plane() {
     return std::ranges::any_of(part->tree.planes, [&](PrimitiveId plane) {
         if (!casts_shadow(plane)) return false;
         ++primitive_tests;
@@ -192,6 +198,7 @@ void find_nearest(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset
                   PreparedRay& ray, Interval interval, Hit& best, TraceCounts& counts) {
     PartWalk walk(parts, part, place, ray, interval, counts);
     walk.seek_nearest(best);
+    walk.meet_planes();
     parts.walks.nearest(part.tree.view, walk);
     walk.add_counts();
 }
@@ -200,7 +207,8 @@ void find_nearest(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset
 bool find_any(const BoxParts& parts, const BoxPart& part, PreparedRay& ray, Interval interval,
               TraceCounts& counts) {
     PartWalk walk(parts, part, 0, ray, interval, counts);
-    const bool is_hit = walk.seek_any() || parts.walks.any(part.tree.view, walk);
+    walk.seek_any();
+    const bool is_hit = walk.meets_plane() || parts.walks.any(part.tree.view, walk);
     walk.add_counts();
     return is_hit;
 }

@@ -28,8 +28,8 @@ struct BoxParts {
 /// What all walks of a ray through a world share.
 struct PartWalk : Walk {
     /// The rays and counts must outlive the walk.
-    PartWalk(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place,
-             PreparedRay& ray, Interval interval, TraceCounts& counts);
+    PartWalk(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place, PreparedRay& ray,
+             Interval interval, TraceCounts& counts);
 
     const BoxParts* parts;
     const BoxPart* part;
@@ -39,12 +39,15 @@ struct PartWalk : Walk {
     TraceCounts* counts;
     Hit* best = nullptr;  // of a walk to the nearest hit
 
-    /// Sets out for the nearest hit: `best`, if that is nearer, or what becomes the best. Tests the
-    /// planes.
+    /// Sets out for the nearest hit: `best`, if that is nearer, or what becomes the best.
     void seek_nearest(Hit& the_best);
 
-    /// Sets out for any hit. Returns true if that is a plane.
-    bool seek_any();
+    /// Sets out for any hit.
+    void seek_any();
+
+    /// Planes are in no tree: they are met before it is walked.
+    void meet_planes();
+    bool meets_plane();
 
     const scene::Geometry& geometry() const { return *part->geometry; }
 

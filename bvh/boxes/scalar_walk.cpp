@@ -40,7 +40,8 @@ struct Corner {
 };
 
 /// sheared() of kernels/triangle.h.
-Corner shear(const TriangleBlock& block, std::size_t corner, std::uint32_t lane, const FloatRay& ray) {
+Corner shear(const TriangleBlock& block, std::size_t corner, std::uint32_t lane,
+             const FloatRay& ray) {
     const auto& axes = block.corners[corner];
     const float z = axes[ray.axes[2]][lane] - ray.origin_float[ray.axes[2]];
     const float x = axes[ray.axes[0]][lane] - ray.origin_float[ray.axes[0]];
@@ -54,7 +55,8 @@ float area_of(Corner p, Corner q) {
 
 /// triangle_stretch() of kernels/triangle.h. Returns whether the ray is in the box somewhere
 /// between `lo` and `reach`.
-bool enter_box(const TriangleBlock& block, std::uint32_t lane, const Walk& walk, TriangleFind& find) {
+bool enter_box(const TriangleBlock& block, std::uint32_t lane, const Walk& walk,
+               TriangleFind& find) {
     const FloatRay& ray = *walk.ray;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto [least, most] =
@@ -100,8 +102,9 @@ bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, Walk& walk) {
     const std::uint32_t count = leaf_count(leaf);
     switch (kind_of(leaf)) {
         case BoxChildKind::triangles:
-            return std::any_of(tree.triangles + first, tree.triangles + first + count,
-                               [&](const TriangleBlock& block) { return meet_triangles(block, walk); });
+            return std::any_of(
+                tree.triangles + first, tree.triangles + first + count,
+                [&](const TriangleBlock& block) { return meet_triangles(block, walk); });
         case BoxChildKind::spheres:
             return std::any_of(tree.spheres + first, tree.spheres + first + count,
                                [&](const SphereBlock& block) { return meet_spheres(block, walk); });
@@ -141,11 +144,15 @@ bool walk_tree(const BoxTreeView& tree, Walk& walk) {
 }
 
 /// One ray after the other.
-void walk_tile(const BoxTreeView& tree, Tile& tile) {
+bool walk_tile(const BoxTreeView& tree, Tile& tile) {
     for (std::uint64_t rays = tile.active; rays != 0; rays &= rays - 1) {
         const int ray = std::countr_zero(rays);
+        if (tile.walks[ray] == nullptr) {
+            tile.walks[ray] = tile.start(tile, static_cast<std::uint32_t>(ray));
+        }
         if (walk_tree(tree, *tile.walks[ray])) tile.active &= ~(std::uint64_t{1} << ray);
     }
+    return true;
 }
 
 }  // namespace

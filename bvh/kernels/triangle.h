@@ -95,8 +95,9 @@ inline KernelHit finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>&
     const float magnitude = std::fabs(sum);
     EdgeAreas<double> exact;
     double exact_sum = 0.0;
-    const bool is_inexact = areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
-                            !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity);
+    const bool is_inexact =
+        areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
+        !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity);
     if (is_inexact) {
         exact = edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
         if (exact.have_two_signs()) return {};

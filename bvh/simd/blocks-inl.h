@@ -71,8 +71,8 @@ HWY_INLINE void prepare_ray(FloatRay& ray) {
     ray.shear_y = ray.dir_float[last] / ray.dir_float[fastest];
 }
 
-/// One axis of a ray, for slabs, and where the planes that it passes first and last lie in the first
-/// node of a tree.
+/// One axis of a ray, for slabs, and where the planes that it passes first and last lie in the
+/// first node of a tree.
 struct SlabAxis {
     FloatVec origin_near;
     FloatVec origin_far;
@@ -220,10 +220,10 @@ HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const W
             const bool is_upper_near = ray.near_side[axis] != 0;
             const FloatVec near = is_upper_near ? most : least;
             const FloatVec far = is_upper_near ? least : most;
-            const FloatVec near_t =
-                hn::Mul(hn::Sub(near, hn::Set(d, ray.origin_near[axis])), hn::Set(d, ray.inv_dir[axis]));
-            const FloatVec far_t =
-                hn::Mul(hn::Sub(far, hn::Set(d, ray.origin_far[axis])), hn::Set(d, ray.inv_dir_far[axis]));
+            const FloatVec near_t = hn::Mul(hn::Sub(near, hn::Set(d, ray.origin_near[axis])),
+                                            hn::Set(d, ray.inv_dir[axis]));
+            const FloatVec far_t = hn::Mul(hn::Sub(far, hn::Set(d, ray.origin_far[axis])),
+                                           hn::Set(d, ray.inv_dir_far[axis]));
             entry = axis == 0 ? near_t : hn::Max(entry, near_t);
             exit = axis == 0 ? far_t : hn::Min(exit, far_t);
         }
@@ -239,8 +239,8 @@ HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const W
 /// Returns which triangles of a block the ray may meet between `lo` and `reach`, a bit each: those
 /// whose areas have no two signs (and maybe such as have one that is not a number), and in whose
 /// box it is.
-HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearRay& ray,
-                                        Walk& walk, BlockFinds& finds) {
+HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearRay& ray, Walk& walk,
+                                        BlockFinds& finds) {
     const Floats d;
     const Words w;
     const FloatVec zero = hn::Zero(d);
@@ -286,23 +286,25 @@ HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, Walk& walk) {
         const FloatVec y = hn::Sub(hn::Load(d, block.center[1] + i), hn::Set(d, origin[1]));
         const FloatVec z = hn::Sub(hn::Load(d, block.center[2] + i), hn::Set(d, origin[2]));
         const FloatVec radius = hn::Load(d, block.radius + i);
-        const FloatVec distance = hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Add(hn::Abs(z), radius));
-        const FloatVec larger =
-            hn::Add(radius, hn::Add(hn::Mul(distance, hn::Set(d, kSlack)), hn::Set(d, ray.origin_error)));
+        const FloatVec distance =
+            hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Add(hn::Abs(z), radius));
+        const FloatVec larger = hn::Add(
+            radius, hn::Add(hn::Mul(distance, hn::Set(d, kSlack)), hn::Set(d, ray.origin_error)));
         const FloatVec along =
             hn::Add(hn::Add(hn::Mul(x, dir_x), hn::Mul(y, dir_y)), hn::Mul(z, dir_z));
         const FloatVec across_x = hn::Sub(x, hn::Mul(along, dir_x));
         const FloatVec across_y = hn::Sub(y, hn::Mul(along, dir_y));
         const FloatVec across_z = hn::Sub(z, hn::Mul(along, dir_z));
-        const FloatVec across = hn::Add(hn::Add(hn::Mul(across_x, across_x), hn::Mul(across_y, across_y)),
-                                        hn::Mul(across_z, across_z));
+        const FloatVec across =
+            hn::Add(hn::Add(hn::Mul(across_x, across_x), hn::Mul(across_y, across_y)),
+                    hn::Mul(across_z, across_z));
         const FloatVec limit = hn::Add(hn::Mul(larger, larger), hn::Set(d, kLeast));
         const FloatVec entry = hn::Mul(hn::Sub(along, larger), t_per_length);
         const FloatVec exit = hn::Mul(hn::Add(along, larger), t_per_length);
         // What is not a number is not left out.
-        const auto is_missed =
-            hn::Or(hn::Gt(across, limit), hn::Or(hn::Gt(entry, hn::Set(d, walk.reach)),
-                                                 hn::Lt(exit, hn::Set(d, walk.lo))));
+        const auto is_missed = hn::Or(
+            hn::Gt(across, limit),
+            hn::Or(hn::Gt(entry, hn::Set(d, walk.reach)), hn::Lt(exit, hn::Set(d, walk.lo))));
         const auto is_there =
             hn::RebindMask(d, hn::Ne(hn::Load(w, block.ids + i), hn::Set(w, kNoLane)));
         const std::uint32_t there = bits_of(is_there);

@@ -60,23 +60,28 @@ HWY_INLINE float meet_sphere_leaf(const SphereBlock* block, const SphereBlock* e
     return walk.reach;
 }
 
-/// Tells the walk's calls of what the ray may meet in a leaf. Returns kEnded if one ended the walk,
-/// otherwise a bound on Walk::reach from above.
-HWY_NOINLINE float meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearRay& shear_ray,
-                             Walk& walk) {
-    const std::uint32_t count = (leaf >> kBoxCountShift & (kMaxLeafCount - 1)) + 1;
-    const std::uint32_t first = leaf & kMaxLeafFirst;
-    const auto kind = static_cast<BoxChildKind>(leaf >> kBoxKindShift);
-    if (kind == BoxChildKind::triangles) {
-        const TriangleBlock* const block = tree.triangles + first;
-        return meet_triangle_leaf(block, block + count, shear_ray, walk);
-    }
+HWY_NOINLINE float meet_other_leaf(const BoxTreeView& tree, BoxChildKind kind, std::uint32_t first,
+                                   std::uint32_t count, Walk& walk) {
     if (kind == BoxChildKind::spheres) {
         const SphereBlock* const block = tree.spheres + first;
         return meet_sphere_leaf(block, block + count, walk);
     }
     const Met met = walk.calls->meet_listed(walk, tree.list + first, count);
     return met == Met::end ? kEnded : walk.reach;
+}
+
+/// Tells the walk's calls of what the ray may meet in a leaf. Returns kEnded if one ended the walk,
+/// otherwise a bound on Walk::reach from above.
+HWY_INLINE float meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearRay& shear_ray,
+                           Walk& walk) {
+    const std::uint32_t count = (leaf >> kBoxCountShift & (kMaxLeafCount - 1)) + 1;
+    const std::uint32_t first = leaf & kMaxLeafFirst;
+    const auto kind = static_cast<BoxChildKind>(leaf >> kBoxKindShift);
+    if (HWY_UNLIKELY(kind != BoxChildKind::triangles)) {
+        return meet_other_leaf(tree, kind, first, count, walk);
+    }
+    const TriangleBlock* const block = tree.triangles + first;
+    return meet_triangle_leaf(block, block + count, shear_ray, walk);
 }
 
 }  // namespace lray::bvh::HWY_NAMESPACE

@@ -81,6 +81,30 @@ HWY_INLINE FloatVec far_of(const TileAxis& axis, const float* planes) {
     return hn::Max(hn::Mul(way, axis.inv_dir_far_least), hn::Mul(way, axis.inv_dir_far_most));
 }
 
+/// prepare_floats() of prepared_ray.h, for slabs, of one axis of many rays. Returns false if they
+/// do not all run to the same side.
+HWY_INLINE bool prepare_axis(Tile& tile, std::size_t axis, std::uint32_t count) {
+    const RayFloats d;
+    const auto most = hn::Set(d, kMaxInverse);
+    std::uint32_t negative_count = 0;
+    for (std::uint32_t i = 0; i < count; i += kRayStep) {
+        const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Load(d, tile.dir[axis] + i));
+        const auto limited = hn::Max(hn::Min(inverse, most), hn::Neg(most));
+        const auto origin = hn::Load(d, tile.origin[axis] + i);
+        const auto slack = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, kOriginSlack)),
+                                   hn::Set(d, kLeastOriginSlack));
+        const auto ahead = hn::CopySign(slack, inverse);
+        hn::Store(limited, d, tile.inv_dir[axis] + i);
+        hn::Store(hn::Mul(limited, hn::Set(d, kExitFactor)), d, tile.inv_dir_far[axis] + i);
+        hn::Store(hn::Add(origin, ahead), d, tile.origin_near[axis] + i);
+        hn::Store(hn::Sub(origin, ahead), d, tile.origin_far[axis] + i);
+        negative_count +=
+            static_cast<std::uint32_t>(hn::CountTrue(d, hn::Lt(limited, hn::Zero(d))));
+    }
+    tile.near_side[axis] = negative_count != 0 ? 1 : 0;
+    return negative_count == 0 || negative_count == count;
+}
+
 struct TileBounds {
     TileAxis x;
     TileAxis y;
@@ -133,9 +157,6 @@ HWY_INLINE std::uint64_t rays_in(const float* planes, const Tile& tile, std::uin
     return bits;
 }
 
-/// Of a ray whose walk was ended: it is in no box any more.
-inline constexpr float kNoReach = -0x1p127f;
-
 /// A child that waits, where the first ray enters it, and its box in its node.
 struct TileWaiting {
     const float* planes;  // null: the root, which every ray is taken to be in
@@ -144,16 +165,21 @@ struct TileWaiting {
 };
 
 template <bool is_ordered>
-HWY_INLINE void walk_tile(const BoxTreeView& tree, Tile& tile) {
-    if (tree.is_empty || tile.active == 0) return;
-    const std::uint32_t last = 63u - static_cast<std::uint32_t>(hwy::Num0BitsAboveMS1Bit_Nonzero64(tile.active));
+HWY_INLINE bool walk_tile(const BoxTreeView& tree, Tile& tile) {
+    if (tree.is_empty || tile.active == 0) return true;
+    const std::uint32_t last =
+        63u - static_cast<std::uint32_t>(hwy::Num0BitsAboveMS1Bit_Nonzero64(tile.active));
     const std::uint32_t count = (last / kRayStep + 1) * kRayStep;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!prepare_axis(tile, axis, count)) return false;
+    }
     TileBounds bounds;
     bounds.x = make_tile_axis(tile, 0, count);
     bounds.y = make_tile_axis(tile, 1, count);
     bounds.z = make_tile_axis(tile, 2, count);
     bounds.lo = spread(least_of(tile.lo, count));
     FloatVec reach = spread(most_of(tile.reach, count));
+    std::uint64_t prepared = 0;  // a bit for each ray whose own floats are
     TileWaiting stack[kMaxWaiting];
     TileWaiting* top = stack;
     *top++ = {nullptr, tree.root, hn::GetLane(bounds.lo)};
@@ -169,7 +195,8 @@ HWY_INLINE void walk_tile(const BoxTreeView& tree, Tile& tile) {
             while (bits != 0) {
                 const auto next = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
                 bits &= bits - 1;
-                const TileWaiting entered = {&node.planes[0][0][0] + next, node.children[next], entries[next]};
+                const TileWaiting entered = {&node.planes[0][0][0] + next, node.children[next],
+                                             entries[next]};
                 TileWaiting* k = top++;
                 while (k > bottom && k[-1].entry < entered.entry) {
                     *k = k[-1];
@@ -185,17 +212,26 @@ HWY_INLINE void walk_tile(const BoxTreeView& tree, Tile& tile) {
         do {
             const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
             rays &= rays - 1;
+            const std::uint64_t bit = std::uint64_t{1} << ray;
+            if ((prepared & bit) == 0) {
+                if (tile.walks[ray] == nullptr) {
+                    tile.walks[ray] = tile.start(tile, static_cast<std::uint32_t>(ray));
+                }
+                prepare_ray(*tile.walks[ray]->ray);
+                prepared |= bit;
+            }
             Walk& walk = *tile.walks[ray];
             if (meet_leaf(tree, current.child, make_shear_ray(*walk.ray), walk) == kEnded) {
-                tile.active &= ~(std::uint64_t{1} << ray);
+                tile.active &= ~bit;
                 tile.reach[ray] = kNoReach;
             } else if (is_ordered) {
                 tile.reach[ray] = walk.reach;
             }
         } while (rays != 0);
-        if (tile.active == 0) return;
+        if (tile.active == 0) return true;
         reach = spread(most_of(tile.reach, count));
     }
+    return true;
 }
 
 }  // namespace lray::bvh::HWY_NAMESPACE

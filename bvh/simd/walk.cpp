@@ -10,11 +10,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace lray::bvh::HWY_NAMESPACE {
 
-/// A child that waits: where the ray enters it in the upper half, as the bits of a float that is not
-/// negative, which are in its order; the BoxChild in the lower.
+/// A child that waits: where the ray enters it in the upper half, as the bits of a float that is
+/// not negative, which are in its order; the BoxChild in the lower.
 using Waiting = std::uint64_t;
 
-HWY_INLINE Waiting make_waiting(const BoxNode& node, const std::uint32_t* entries, std::size_t lane) {
+HWY_INLINE Waiting make_waiting(const BoxNode& node, const std::uint32_t* entries,
+                                std::size_t lane) {
     return static_cast<Waiting>(entries[lane]) << 32 | node.children[lane];
 }
 
@@ -118,16 +119,54 @@ bool walk_nearest(const BoxTreeView& tree, Walk& walk) {
     return walk_tree<true>(tree, walk);
 }
 
+/// Puts the children of a node that the ray is in to those that wait, in the order of the lanes,
+/// without a branch.
+HWY_INLINE void push_met(BoxChild node, const BoxChild* children, const SlabRay& ray,
+                         FloatVec reach, BoxChild* HWY_RESTRICT& top) {
+    const Words w;
+    for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
+        const std::size_t at = std::size_t{node} * (kNodeUnitBytes / sizeof(float)) + i;
+        const FloatVec entry = hn::Max(hn::Max(near_of(ray.x, at), near_of(ray.y, at)),
+                                       hn::Max(near_of(ray.z, at), ray.lo));
+        const FloatVec exit = hn::Min(hn::Min(far_of(ray.x, at), far_of(ray.y, at)),
+                                      hn::Min(far_of(ray.z, at), reach));
+        const auto is_met = hn::RebindMask(w, hn::Le(entry, exit));
+        hn::StoreU(hn::Compress(hn::Load(w, children + i), is_met), w, top);
+        top += hn::CountTrue(w, is_met);
+    }
+}
+
 bool walk_any(const BoxTreeView& tree, Walk& walk) {
-    return walk_tree<false>(tree, walk);
+    if (tree.is_empty) return false;
+    prepare_ray(*walk.ray);
+    const SlabRay slab_ray = make_slab_ray(walk, tree.nodes);
+    const ShearRay shear_ray = make_shear_ray(*walk.ray);
+    const FloatVec reach = hn::Set(Floats(), walk.reach);
+    BoxChild stack[kMaxWaiting + kBoxWidth];
+    BoxChild* top = stack;
+    *top++ = tree.root;
+    std::uint64_t node_tests = 0;
+    bool is_ended = false;
+    while (top != stack) {
+        const BoxChild current = *--top;
+        if (current < kFirstLeaf) {
+            ++node_tests;
+            push_met(current, node_at(tree, current).children, slab_ray, reach, top);
+        } else if (meet_leaf(tree, current, shear_ray, walk) == kEnded) {
+            is_ended = true;
+            break;
+        }
+    }
+    walk.node_tests += node_tests;
+    return is_ended;
 }
 
-void walk_nearest_tile(const BoxTreeView& tree, Tile& tile) {
-    walk_tile<true>(tree, tile);
+bool walk_nearest_tile(const BoxTreeView& tree, Tile& tile) {
+    return walk_tile<true>(tree, tile);
 }
 
-void walk_any_tile(const BoxTreeView& tree, Tile& tile) {
-    walk_tile<false>(tree, tile);
+bool walk_any_tile(const BoxTreeView& tree, Tile& tile) {
+    return walk_tile<false>(tree, tile);
 }
 
 Walks walks() {

@@ -58,32 +58,42 @@ struct Walk {
 /// The most rays that walk together: a bit of 64 each.
 inline constexpr std::uint32_t kMaxTileRays = 64;
 
-/// Rays that walk one tree together, because they run close to each other: their directions have
-/// the same signs. Shape: lists by ray are [axis][ray]; rays past the last have reach -infinity.
+/// Rays that walk one tree together, because they run close to each other. Shape: [axis][ray]; what
+/// stands for no ray is a copy of one that is, with reach kNoReach.
 struct alignas(64) Tile {
-    // As in FloatRay.
+    float origin[3][kMaxTileRays];
+    float dir[3][kMaxTileRays];
+    float lo[kMaxTileRays];
+    float reach[kMaxTileRays];
+
+    // As in FloatRay, worked out by who walks.
     float origin_near[3][kMaxTileRays];
     float origin_far[3][kMaxTileRays];
     float inv_dir[3][kMaxTileRays];
     float inv_dir_far[3][kMaxTileRays];
-    float lo[kMaxTileRays];
-    float reach[kMaxTileRays];  // kept as those of `walks` by who walks
     std::uint32_t near_side[3];
 
-    Walk* walks[kMaxTileRays];
+    /// Returns the walk of a ray that comes to a leaf, made there and then.
+    Walk* (*start)(Tile& tile, std::uint32_t ray);
+    Walk* walks[kMaxTileRays];  // null: not started
+
     std::uint64_t active;  // a bit for each ray; those whose walk was ended are taken out
     std::uint64_t node_tests;
 };
 
-/// Prepares the ray and comes upon everything that the ray meets in front of `lo` and by `reach`. Returns true if a call
-/// ended it.
-/// nearest: enters the nearest child first. any: in no particular order, for calls that end the walk
-/// at the first hit.
+/// The reach of what is no ray, or no more: it is in no box.
+inline constexpr float kNoReach = -0x1p127f;
+
+/// Prepares the ray and comes upon everything that the ray meets in front of `lo` and by `reach`.
+/// Returns true if a call ended it. nearest: enters the nearest child first. any: in no particular
+/// order, for calls that end the walk at the first hit. tile: the same for each ray, a node
+/// counting once for all; false if the rays do not all run to the same side of each axis, then
+/// nothing was done.
 struct Walks {
     bool (*nearest)(const BoxTreeView& tree, Walk& walk);
     bool (*any)(const BoxTreeView& tree, Walk& walk);
-    void (*nearest_tile)(const BoxTreeView& tree, Tile& tile);
-    void (*any_tile)(const BoxTreeView& tree, Tile& tile);
+    bool (*nearest_tile)(const BoxTreeView& tree, Tile& tile);
+    bool (*any_tile)(const BoxTreeView& tree, Tile& tile);
     const char* name;
 };
 

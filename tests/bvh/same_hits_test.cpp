@@ -172,8 +172,7 @@ void fill_with_instances(World& world, Random& random, float scale) {
 const std::vector<WorldForm> kForms = {
     {"Uniform", fill_uniform},   {"Triangles", fill_with_triangles}, {"Grid", fill_grid},
     {"Coplanar", fill_coplanar}, {"Duplicates", fill_duplicates},    {"Nested", fill_nested},
-    {"Slivers", fill_slivers},   {"Instances", fill_with_instances},
-    {"Many", fill_with_many},
+    {"Slivers", fill_slivers},   {"Instances", fill_with_instances}, {"Many", fill_with_many},
 };
 
 /// Rays from anywhere, some along the axes and through the corners of what is there.
@@ -220,24 +219,23 @@ struct Method {
 /// Every hierarchy, and the boxes for each processor that this one can stand in for.
 std::vector<Method> methods() {
     std::vector<Method> result;
-    result.push_back({"Spheres", [](const World& world) {
-                          return build(world, {.kind = AccelKind::spheres});
-                      }});
+    result.push_back(
+        {"Spheres", [](const World& world) { return build(world, {.kind = AccelKind::spheres}); }});
     result.push_back({"BoxesScalar", [](const World& world) {
                           return make_box_accel(world, BuildQuality::medium, scalar_walks());
                       }});
     result.push_back({"BoxesHighScalar", [](const World& world) {
                           return make_box_accel(world, BuildQuality::high, scalar_walks());
                       }});
-    for (std::int64_t targets = simd_targets(); targets != 0;
-         targets &= targets - 1) {
+    for (std::int64_t targets = simd_targets(); targets != 0; targets &= targets - 1) {
         const std::int64_t target = targets & -targets;
-        result.push_back({std::string("Boxes") + hwy::TargetName(target), [target](const World& world) {
-                              hwy::SetSupportedTargetsForTest(target);
-                              const Walks walks = simd_walks();
-                              hwy::SetSupportedTargetsForTest(0);
-                              return make_box_accel(world, BuildQuality::medium, walks);
-                          }});
+        result.push_back(
+            {std::string("Boxes") + hwy::TargetName(target), [target](const World& world) {
+                 hwy::SetSupportedTargetsForTest(target);
+                 const Walks walks = simd_walks();
+                 hwy::SetSupportedTargetsForTest(0);
+                 return make_box_accel(world, BuildQuality::medium, walks);
+             }});
     }
     return result;
 }
@@ -318,7 +316,8 @@ TEST_P(SameHits, AsTestingEverything) {
             TraceCounts counts;
             const Hit hit = expected.nearest_hit(ray, interval, counts);
             const std::string where = name + std::to_string(k);
-            ASSERT_NO_FATAL_FAILURE(expect_same(accel.nearest_hit(ray, interval, counts), hit, where));
+            ASSERT_NO_FATAL_FAILURE(
+                expect_same(accel.nearest_hit(ray, interval, counts), hit, where));
             const bool is_shadowed = expected.any_hit(ray, interval, counts);
             ASSERT_EQ(accel.any_hit(ray, interval, counts), is_shadowed) << where;
             if (std::ranges::all_of(world.objects, [](const scene::Object& object) {
@@ -350,7 +349,8 @@ TEST_P(SameHits, OfManyRaysAtOnce) {
             ASSERT_EQ(counts.rays, 2 * rays.size());
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const Hit hit = expected.nearest_hit(rays[i], intervals[i], counts);
-                const std::string where = name + std::to_string(i) + " of tile " + std::to_string(k);
+                const std::string where =
+                    name + std::to_string(i) + " of tile " + std::to_string(k);
                 ASSERT_NO_FATAL_FAILURE(expect_same(hits[i], hit, where));
                 ASSERT_EQ(are_hit[i], expected.any_hit(rays[i], intervals[i], counts)) << where;
                 hit_count += hit.is_none() ? 0 : 1;

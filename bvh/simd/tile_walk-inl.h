@@ -11,7 +11,7 @@
 
 #include <hwy/highway.h>
 
-#include "bvh/simd/leaf-inl.h"
+#include "bvh/simd/ray_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lray::bvh::HWY_NAMESPACE {
@@ -19,6 +19,10 @@ namespace lray::bvh::HWY_NAMESPACE {
 using RayFloats = hn::CappedTag<float, 16>;
 using RayVec = hn::Vec<RayFloats>;
 inline constexpr std::uint32_t kRayStep = static_cast<std::uint32_t>(hn::MaxLanes(RayFloats()));
+inline constexpr std::uint64_t kStepBits = (std::uint64_t{1} << kRayStep) - 1;
+
+/// So few rays go their ways alone.
+inline constexpr std::size_t kFewRays = 4;
 
 /// The least and the greatest of one axis of all rays of a tile. Rounding keeps the order of
 /// numbers: what holds for a product of bounds holds for the products of the rays.
@@ -130,8 +134,9 @@ HWY_INLINE std::uint32_t meet_boxes(const BoxNode& node, const TileBounds& bound
     return bits;
 }
 
-/// Returns which rays are in one box, a bit each: each as meet_boxes() with that ray would.
-HWY_INLINE std::uint64_t rays_in(const float* planes, const Tile& tile, std::uint32_t count) {
+/// Of the rays of `wanted` returns those that are in one box, a bit each: each as meet_boxes() with
+/// that ray would.
+HWY_INLINE std::uint64_t rays_in(const float* planes, const Tile& tile, std::uint64_t wanted) {
     const RayFloats d;
     std::uint64_t bits = 0;
     RayVec near_plane[3];
@@ -140,7 +145,11 @@ HWY_INLINE std::uint64_t rays_in(const float* planes, const Tile& tile, std::uin
         near_plane[axis] = hn::Set(d, planes[(axis * 2 + tile.near_side[axis]) * kBoxWidth]);
         far_plane[axis] = hn::Set(d, planes[(axis * 2 + 1 - tile.near_side[axis]) * kBoxWidth]);
     }
-    for (std::uint32_t i = 0; i < count; i += kRayStep) {
+    for (std::uint32_t i = 0; wanted >> i != 0; i += kRayStep) {
+        if ((wanted >> i & kStepBits) == 0) {
+            if (i + kRayStep == kMaxTileRays) break;
+            continue;
+        }
         RayVec entry = hn::Load(d, tile.lo + i);
         RayVec exit = hn::Load(d, tile.reach + i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -153,16 +162,56 @@ HWY_INLINE std::uint64_t rays_in(const float* planes, const Tile& tile, std::uin
         hn::StoreMaskBits(d, hn::Le(entry, exit), mask);
         const std::uint64_t met = mask[0] | static_cast<std::uint64_t>(mask[1]) << 8;
         bits |= met << i;
+        if (i + kRayStep == kMaxTileRays) break;
     }
-    return bits;
+    return bits & wanted;
 }
 
-/// A child that waits, where the first ray enters it, and its box in its node.
+/// A child that waits, where the first ray enters it, its box in its node, and the rays that are in
+/// that node.
 struct TileWaiting {
     const float* planes;  // null: the root, which every ray is taken to be in
+    std::uint64_t rays;
     BoxChild child;
     float entry;
 };
+
+/// Returns the walk of a ray, ready to go on.
+HWY_INLINE Walk& walk_of(Tile& tile, std::size_t ray, std::uint64_t& prepared) {
+    const std::uint64_t bit = std::uint64_t{1} << ray;
+    if ((prepared & bit) == 0) {
+        if (tile.walks[ray] == nullptr) {
+            tile.walks[ray] = tile.start(tile, static_cast<std::uint32_t>(ray));
+        }
+        prepare_ray(*tile.walks[ray]->ray);
+        prepared |= bit;
+    }
+    return *tile.walks[ray];
+}
+
+/// Walks what is below a child with some rays, each on its own.
+template <bool is_ordered>
+HWY_INLINE void walk_alone(const BoxTreeView& tree, BoxChild child, std::uint64_t rays, Tile& tile,
+                           std::uint64_t& prepared) {
+    for (; rays != 0; rays &= rays - 1) {
+        const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
+        Walk& walk = walk_of(tile, ray, prepared);
+        bool is_ended = false;
+        if (child >= kFirstLeaf) {
+            is_ended = meet_leaf(tree, child, make_shear_ray(*walk.ray), walk) == kEnded;
+        } else if (is_ordered) {
+            is_ended = walk_nearest_below(tree, child, walk);
+        } else {
+            is_ended = walk_any_below(tree, child, walk);
+        }
+        if (is_ended) {
+            tile.active &= ~(std::uint64_t{1} << ray);
+            tile.reach[ray] = kNoReach;
+        } else if (is_ordered) {
+            tile.reach[ray] = walk.reach;
+        }
+    }
+}
 
 template <bool is_ordered>
 HWY_INLINE bool walk_tile(const BoxTreeView& tree, Tile& tile) {
@@ -182,54 +231,36 @@ HWY_INLINE bool walk_tile(const BoxTreeView& tree, Tile& tile) {
     std::uint64_t prepared = 0;  // a bit for each ray whose own floats are
     TileWaiting stack[kMaxWaiting];
     TileWaiting* top = stack;
-    *top++ = {nullptr, tree.root, hn::GetLane(bounds.lo)};
+    *top++ = {nullptr, tile.active, tree.root, hn::GetLane(bounds.lo)};
     while (top != stack) {
         const TileWaiting current = *--top;
         if (current.entry > hn::GetLane(reach)) continue;
-        if (current.child < kFirstLeaf) {
-            ++tile.node_tests;
-            const BoxNode& node = node_at(tree, current.child);
-            alignas(32) float entries[kBoxWidth];
-            std::uint32_t bits = meet_boxes(node, bounds, reach, entries);
-            TileWaiting* const bottom = top;
-            while (bits != 0) {
-                const auto next = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                bits &= bits - 1;
-                const TileWaiting entered = {&node.planes[0][0][0] + next, node.children[next],
-                                             entries[next]};
-                TileWaiting* k = top++;
-                while (k > bottom && k[-1].entry < entered.entry) {
-                    *k = k[-1];
-                    --k;
-                }
-                *k = entered;
-            }
+        std::uint64_t rays = current.rays & tile.active;
+        if (current.planes != nullptr) rays = rays_in(current.planes, tile, rays);
+        if (rays == 0) continue;
+        if (current.child >= kFirstLeaf || hwy::PopCount(rays) <= kFewRays) {
+            walk_alone<is_ordered>(tree, current.child, rays, tile, prepared);
+            if (tile.active == 0) break;
+            reach = spread(most_of(tile.reach, count));
             continue;
         }
-        std::uint64_t rays = tile.active;
-        if (current.planes != nullptr) rays &= rays_in(current.planes, tile, count);
-        if (rays == 0) continue;
-        do {
-            const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
-            rays &= rays - 1;
-            const std::uint64_t bit = std::uint64_t{1} << ray;
-            if ((prepared & bit) == 0) {
-                if (tile.walks[ray] == nullptr) {
-                    tile.walks[ray] = tile.start(tile, static_cast<std::uint32_t>(ray));
-                }
-                prepare_ray(*tile.walks[ray]->ray);
-                prepared |= bit;
+        ++tile.node_tests;
+        const BoxNode& node = node_at(tree, current.child);
+        alignas(32) float entries[kBoxWidth];
+        std::uint32_t bits = meet_boxes(node, bounds, reach, entries);
+        TileWaiting* const bottom = top;
+        while (bits != 0) {
+            const auto next = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+            bits &= bits - 1;
+            const TileWaiting entered = {&node.planes[0][0][0] + next, rays, node.children[next],
+                                         entries[next]};
+            TileWaiting* k = top++;
+            while (k > bottom && k[-1].entry < entered.entry) {
+                *k = k[-1];
+                --k;
             }
-            Walk& walk = *tile.walks[ray];
-            if (meet_leaf(tree, current.child, make_shear_ray(*walk.ray), walk) == kEnded) {
-                tile.active &= ~bit;
-                tile.reach[ray] = kNoReach;
-            } else if (is_ordered) {
-                tile.reach[ray] = walk.reach;
-            }
-        } while (rays != 0);
-        if (tile.active == 0) return true;
-        reach = spread(most_of(tile.reach, count));
+            *k = entered;
+        }
     }
     return true;
 }

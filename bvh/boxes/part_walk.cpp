@@ -6,6 +6,7 @@
 
 #include "bvh/instance_ray.h"
 #include "bvh/intersect.h"
+#include "bvh/kernels/sphere.h"
 #include "bvh/kernels/triangle.h"
 
 namespace lray::bvh {
@@ -41,6 +42,15 @@ Hit meet(const PartWalk& walk, PrimitiveId id) {
     Hit hit = intersect(walk.geometry(), id, *walk.prepared, walk.interval);
     hit.place = walk.place;
     return hit;
+}
+
+/// The block has the very floats of the World, and is at hand.
+Hit meet(const PartWalk& walk, const SphereBlock& block, std::uint32_t lane) {
+    const scene::Sphere sphere{
+        {block.center[0][lane], block.center[1][lane], block.center[2][lane]}, block.radius[lane]};
+    const KernelHit hit = first_in(crossings(sphere, *walk.prepared), walk.interval);
+    if (hit.is_none()) return {};
+    return {hit.t, hit.u, hit.v, id_of(block.ids[lane]), walk.place, hit.normal};
 }
 
 /// What was found is what intersect_triangle() would work out again.
@@ -85,9 +95,9 @@ Met nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
     return self.keep(finish(self, block, lane, find)) ? Met::nearer_hit : Met::nothing;
 }
 
-Met nearest_sphere(Walk& walk, std::uint32_t id) {
+Met nearest_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
     auto& self = static_cast<PartWalk&>(walk);
-    return self.keep(meet(self, id_of(id))) ? Met::nearer_hit : Met::nothing;
+    return self.keep(meet(self, block, lane)) ? Met::nearer_hit : Met::nothing;
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
@@ -113,10 +123,11 @@ Met any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
     return is_hit ? Met::end : Met::nothing;
 }
 
-Met any_sphere(Walk& walk, std::uint32_t value) {
+Met any_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
     const auto& self = static_cast<const PartWalk&>(walk);
-    const PrimitiveId id = id_of(value);
-    return self.casts_shadow(id) && !meet(self, id).is_none() ? Met::end : Met::nothing;
+    return self.casts_shadow(id_of(block.ids[lane])) && !meet(self, block, lane).is_none()
+               ? Met::end
+               : Met::nothing;
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest

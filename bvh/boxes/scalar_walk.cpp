@@ -92,7 +92,7 @@ bool meet_triangles(const TriangleBlock& block, Walk& walk) {
 bool meet_spheres(const SphereBlock& block, Walk& walk) {
     for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
         ++walk.primitive_tests;
-        if (walk.calls->meet_sphere(walk, block.ids[lane]) == Met::end) return true;
+        if (walk.calls->meet_sphere(walk, block, lane) == Met::end) return true;
     }
     return false;
 }

@@ -52,9 +52,9 @@ HWY_INLINE float meet_sphere_leaf(const SphereBlock* block, const SphereBlock* e
     for (; block != end; ++block) {
         std::uint32_t bits = meet_spheres(*block, walk);
         while (bits != 0) {
-            const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+            const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
             bits &= bits - 1;
-            if (walk.calls->meet_sphere(walk, block->ids[lane]) == Met::end) return kEnded;
+            if (walk.calls->meet_sphere(walk, *block, lane) == Met::end) return kEnded;
         }
     }
     return walk.reach;

@@ -40,7 +40,7 @@ enum class Met : std::uint8_t { nothing, nearer_hit, end };
 struct WalkCalls {
     Met (*meet_triangle)(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                          const TriangleFind& find);
-    Met (*meet_sphere)(Walk& walk, std::uint32_t id);
+    Met (*meet_sphere)(Walk& walk, const SphereBlock& block, std::uint32_t lane);
     Met (*meet_listed)(Walk& walk, const std::uint32_t* ids, std::uint32_t count);
 };
 

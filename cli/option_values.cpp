@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <initializer_list>
+#include <iterator>
 #include <utility>
 
+#include "base/did_you_mean.h"
 #include "render/film.h"
 
 namespace lray::cli {
@@ -25,7 +29,42 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> parse_range(std::string_v
     return std::pair(*first, *second);
 }
 
+/// A word that an option takes, and what it means.
+template <class T>
+struct Word {
+    std::string_view text{};
+    T value{};
+};
+
+template <class T>
+std::string store_word(T& target, std::string_view text, std::initializer_list<Word<T>> words) {
+    std::vector<std::string_view> names;
+    std::string listed;
+    for (const Word<T>& word : words) {
+        if (text == word.text) {
+            target = word.value;
+            return {};
+        }
+        const bool is_last = &word == words.end() - 1;
+        listed += fmt::format("{}{}", names.empty() ? "" : is_last ? " or " : ", ", word.text);
+        names.push_back(word.text);
+    }
+    const auto meant = meant_names(text, names);
+    return fmt::format("takes {}, not `{}`{}", listed, text,
+                       meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant.front()));
+}
+
 }  // namespace
+
+std::vector<std::string_view> meant_names(std::string_view written,
+                                          std::span<const std::string_view> names) {
+    // An abbreviation is more likely than a slip, in so far as it is one.
+    std::vector<std::string_view> meant;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(meant), [&](std::string_view full) {
+        return !written.empty() && full.starts_with(written);
+    });
+    return meant.empty() ? nearest_names(written, names) : meant;
+}
 
 std::optional<std::uint64_t> parse_number(std::string_view text) {
     std::uint64_t number = 0;
@@ -36,7 +75,10 @@ std::optional<std::uint64_t> parse_number(std::string_view text) {
 
 std::string wrong_number(std::string_view text, std::uint64_t low, std::uint64_t high,
                          std::uint64_t largest) {
-    if (high == largest) return fmt::format("takes a whole number from {}, not `{}`", low, text);
+    const bool is_too_large = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+    if (high == largest && !is_too_large) {
+        return fmt::format("takes a whole number from {}, not `{}`", low, text);
+    }
     return fmt::format("takes a whole number from {} to {}, not `{}`", low, high, text);
 }
 
@@ -109,47 +151,26 @@ std::string store_crop(Options& options, std::string_view text) {
 }
 
 std::string store_accel(Options& options, std::string_view text) {
-    if (text == "none") {
-        options.accel = bvh::AccelKind::none;
-    } else if (text == "spheres") {
-        options.accel = bvh::AccelKind::spheres;
-    } else if (text == "boxes") {
-        options.accel = bvh::AccelKind::boxes;
-    } else {
-        return fmt::format("takes none, spheres or boxes, not `{}`", text);
-    }
-    return {};
+    using enum bvh::AccelKind;
+    return store_word<bvh::AccelKind>(options.accel.emplace(), text,
+                                      {{"none", none}, {"spheres", spheres}, {"boxes", boxes}});
 }
 
 std::string store_quality(Options& options, std::string_view text) {
-    if (text == "low") {
-        options.quality = bvh::BuildQuality::low;
-    } else if (text == "medium") {
-        options.quality = bvh::BuildQuality::medium;
-    } else if (text == "high") {
-        options.quality = bvh::BuildQuality::high;
-    } else {
-        return fmt::format("takes low, medium or high, not `{}`", text);
-    }
-    return {};
+    using enum bvh::BuildQuality;
+    return store_word<bvh::BuildQuality>(options.quality.emplace(), text,
+                                         {{"low", low}, {"medium", medium}, {"high", high}});
 }
 
 std::string store_shading(Options& options, std::string_view text) {
-    if (text == "flat") {
-        options.shader = shade::Shader::flat;
-    } else if (text == "normals") {
-        options.shader = shade::Shader::normals;
-    } else if (text == "depth") {
-        options.shader = shade::Shader::depth;
-    } else if (text == "cost") {
-        options.shader = shade::Shader::cost;
-    } else if (text == "full" || text == "uv") {
+    if (text == "full" || text == "uv") {
         return fmt::format("{} is not available in this version; flat, normals, depth and cost are",
                            text);
-    } else {
-        return fmt::format("takes flat, normals, depth or cost, not `{}`", text);
     }
-    return {};
+    using enum shade::Shader;
+    return store_word<shade::Shader>(
+        options.shader, text,
+        {{"flat", flat}, {"normals", normals}, {"depth", depth}, {"cost", cost}});
 }
 
 std::string store_stats(Options& options, std::string_view text) {
@@ -166,29 +187,16 @@ std::string store_format(Options& options, std::string_view text) {
 }
 
 std::string store_color(Options& options, std::string_view text) {
-    if (text == "auto") {
-        options.color = ColorMode::automatic;
-    } else if (text == "always") {
-        options.color = ColorMode::always;
-    } else if (text == "never") {
-        options.color = ColorMode::never;
-    } else {
-        return fmt::format("takes auto, always or never, not `{}`", text);
-    }
-    return {};
+    using enum ColorMode;
+    return store_word<ColorMode>(options.color, text,
+                                 {{"auto", automatic}, {"always", always}, {"never", never}});
 }
 
 std::string store_diagnostics(Options& options, std::string_view text) {
-    if (text == "text") {
-        options.diagnostics_format = DiagnosticsFormat::text;
-    } else if (text == "json") {
-        options.diagnostics_format = DiagnosticsFormat::json;
-    } else if (text == "sarif") {
-        options.diagnostics_format = DiagnosticsFormat::sarif;
-    } else {
-        return fmt::format("takes text, json or sarif, not `{}`", text);
-    }
-    return {};
+    using Format = DiagnosticsFormat;
+    return store_word<Format>(
+        options.diagnostics_format, text,
+        {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}});
 }
 
 std::string store_definition(Options& options, std::string_view text) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,10 @@ std::string store_explained(Options& options, std::string_view text);
 std::string store_warning_level(Options& options, std::string_view text, WarningLevel level);
 std::string store_path(std::string& target, std::string_view text);
 std::string store_directory(std::vector<std::string>& target, std::string_view text);
+
+/// Returns those of `names` that whoever wrote this may have meant, the likeliest first.
+std::vector<std::string_view> meant_names(std::string_view written,
+                                          std::span<const std::string_view> names);
 
 /// Reads a whole number without a sign; empty if it is none.
 std::optional<std::uint64_t> parse_number(std::string_view text);

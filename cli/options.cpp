@@ -6,12 +6,11 @@
 #include <getopt.h>
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 
-#include "base/did_you_mean.h"
 #include "cli/frames.h"
 #include "cli/option_table.h"
+#include "cli/option_values.h"
 
 namespace lray::cli {
 
@@ -44,11 +43,7 @@ Failure unknown_option(std::string_view argument, std::span<const OptionSpec* co
     const std::string_view name = name_of(argument);
     std::vector<std::string_view> names;
     for (const OptionSpec* spec : specs) names.emplace_back(spec->name);
-    // An abbreviation is more likely than a slip, in so far as it is one.
-    std::vector<std::string_view> meant;
-    std::copy_if(names.begin(), names.end(), std::back_inserter(meant),
-                 [&](std::string_view full) { return !name.empty() && full.starts_with(name); });
-    if (meant.empty()) meant = nearest_names(name, names);
+    std::vector<std::string_view> meant = meant_names(name, names);
     if (meant.size() > kMaxSuggestions) meant.resize(kMaxSuggestions);
     std::string help = kSeeHelp;
     if (!meant.empty()) {
@@ -260,6 +255,10 @@ void apply_level(Options& options) {
 }
 
 void warn_of_ignored(Options& options) {
+    if (options.quality && options.accel != bvh::AccelKind::boxes) {
+        options.warnings.push_back(
+            "`--quality` is ignored: only boxes have a choice; `--accel boxes` builds them");
+    }
     if (options.position != render::PixelPosition::center) return;
     const auto warn = [&](const std::string& option) {
         options.warnings.push_back(fmt::format(

@@ -54,7 +54,7 @@ struct Options {
     std::optional<std::string> camera_name{};
     std::optional<image::Format> format{};  // always set once parsed, if a picture is asked for
     std::optional<bvh::AccelKind> accel{};  // set once parsed, by the level if it is not given
-    bvh::BuildQuality quality = bvh::BuildQuality::medium;
+    std::optional<bvh::BuildQuality> quality{};  // of boxes; medium if it is not given
     render::PixelPosition position = render::PixelPosition::random;  // by the level
     shade::Shader shader = shade::Shader::flat;
     std::uint32_t thread_count = 0;  // 0: all

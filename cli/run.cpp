@@ -66,9 +66,10 @@ std::optional<Failure> write_picture(OutputFile output, const image::Image& imag
     return std::nullopt;
 }
 
-ExitCode save_partial_picture(const image::Image& image, image::Metadata metadata,
+ExitCode save_partial_picture(const render::RenderResult& result, image::Metadata metadata,
                               const Options& options, ExitCode exit_code) {
-    if (is_special_file(options.output_path)) {
+    const bool is_empty = result.primary.rays == 0;  // interrupted while the hierarchy was built
+    if (is_empty || is_special_file(options.output_path)) {
         print_message("lray: interrupted; nothing was written\n");
         return exit_code;
     }
@@ -76,7 +77,7 @@ ExitCode save_partial_picture(const image::Image& image, image::Metadata metadat
     std::string error;
     auto output = OutputFile::open(path, error);
     std::optional<Failure> failure =
-        output ? write_picture(std::move(*output), image, *options.format, metadata)
+        output ? write_picture(std::move(*output), result.image, *options.format, metadata)
                : output_failure(error);
     if (failure) {
         report_failure(*failure);
@@ -162,10 +163,12 @@ std::unique_ptr<bvh::Accel> build_hierarchy(const scene::World& world, const Opt
     if (*options.accel != bvh::AccelKind::none) {
         print_message(progress.building(world.primitive_count()));
     }
+    const bvh::BuildOptions asked{
+        .kind = *options.accel,
+        .quality = options.quality.value_or(bvh::BuildQuality::medium),
+    };
     std::unique_ptr<bvh::Accel> accel;
-    render::with_threads(options.thread_count, [&] {
-        accel = bvh::build(world, {.kind = *options.accel, .quality = options.quality});
-    });
+    render::with_threads(options.thread_count, [&] { accel = bvh::build(world, asked); });
     return accel;
 }
 
@@ -187,7 +190,7 @@ ExitCode save_picture(OutputFile output, const render::RenderResult& result,
     if (!result.is_complete) {
         const auto exit_code = interrupt_exit_code();
         LRAY_ASSERT(exit_code);
-        return save_partial_picture(result.image, metadata, options, *exit_code);
+        return save_partial_picture(result, metadata, options, *exit_code);
     }
     const auto failure = write_picture(std::move(output), result.image, *options.format, metadata);
     return failure ? report_failure(*failure) : ExitCode::done;

@@ -8,6 +8,7 @@
 
 #include "base/assert.h"
 #include "base/json_writer.h"
+#include "bvh/simd/walk.h"
 #include "cli/console.h"
 
 namespace lray::cli {
@@ -82,9 +83,15 @@ std::string primitives_text(const scene::World& world) {
     return fmt::format("{}{}{}", total, kinds, places);
 }
 
+/// What the processor walks boxes with, as Highway calls it; empty for the other hierarchies.
+std::string_view simd_name(const RenderReport& report) {
+    return report.options.accel == bvh::AccelKind::boxes ? bvh::simd_walks().name : "";
+}
+
 std::string hierarchy_text(const RenderReport& report) {
     const bvh::AccelStats& accel = report.accel;
-    const std::string_view name = accel_name(*report.options.accel);
+    std::string name(accel_name(*report.options.accel));
+    if (!simd_name(report).empty()) name += fmt::format(" ({})", simd_name(report));
     const double mebibytes = static_cast<double>(accel.bytes) / kMebibyte;
     if (accel.nodes == 0) return fmt::format("{}, {:.2f} MiB", name, mebibytes);
     return fmt::format(
@@ -148,7 +155,8 @@ std::string format_stats_json(const RenderReport& report) {
     json.member("prototypes", std::uint64_t{report.world.prototypes.size()});
     json.member("places", std::uint64_t{report.world.place_count - 1});
     json.key("hierarchy").begin_object();
-    json.member("kind", accel_name(*report.options.accel)).member("nodes", accel.nodes);
+    json.member("kind", accel_name(*report.options.accel)).member("simd", simd_name(report));
+    json.member("nodes", accel.nodes);
     json.member("leaves", accel.leaves).member("depth", std::uint64_t{accel.depth});
     json.member("references", accel.references).key("cost").decimal(accel.cost);
     json.member("bytes", std::uint64_t{accel.bytes}).end_object();

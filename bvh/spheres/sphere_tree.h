@@ -1,4 +1,4 @@
-// The brief's hierarchy: a binary tree of bounding spheres, built top-down with the surface-area
+// The hierarchy of level 2: a binary tree of bounding spheres, built top-down with the surface-area
 // cost of every plane through a centre.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace lray::bvh {
 
-/// What a ray costs: T_volume and T_object of the brief. Their ratio alone matters.
+/// What it costs to test a volume and an object with a ray. Their ratio alone matters.
 inline constexpr double kSphereVolumeCost = 1.0;
 inline constexpr double kSphereObjectCost = 2.0;
 

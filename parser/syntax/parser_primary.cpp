@@ -90,8 +90,10 @@ Expr* Parser::list() {
     if (!nested.fits()) return error_expr(span_of(opener));
     std::vector<Expr*> elements;
     std::uint32_t depth = 0;
+    const std::size_t error_count = diagnostics_.error_count();
     advance();
     if (token_.kind == TokenKind::kw_for) return comprehension(opener);
+    const bool has_own_lines = token_.newline_before;
     std::optional<InBrackets> in_brackets(std::in_place, *this);
     while (token_.kind != TokenKind::right_bracket && !is_panicking_ && !is_ended_) {
         const bool is_property =
@@ -113,7 +115,13 @@ Expr* Parser::list() {
         advance();
     }
     in_brackets.reset();
-    if (!close(TokenKind::right_bracket, opener)) return error_expr(span_from(opener.offset));
+    // Brackets of its elements that do not match make it look unclosed: they were told of already.
+    const bool is_told = diagnostics_.error_count() > error_count;
+    if (has_own_lines && is_told && token_.kind != TokenKind::right_bracket) is_panicking_ = true;
+    if (!close(TokenKind::right_bracket, opener)) {
+        if (has_own_lines) skip_to_closing_line(opener);
+        return error_expr(span_from(opener.offset));
+    }
     ListExpr* made = make<ListExpr>(ExprKind::list, span_from(opener.offset));
     made->depth = static_cast<std::uint16_t>(depth + 1);
     made->elements = context_.arena.copy(elements);

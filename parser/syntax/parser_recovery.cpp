@@ -315,6 +315,21 @@ void Parser::skip_to_last_unopened_closer() {
     while (token_.kind != TokenKind::end && token_.offset <= end) advance();
 }
 
+// Skips what is left of a list whose elements stand on lines of their own, further in than the line
+// of its `[`: the first line that does not is where it ends, whatever brackets are missing in it.
+void Parser::skip_to_closing_line(const Token& opener) {
+    const std::uint32_t indent = line_indent(opener.offset);
+    while (token_.kind != TokenKind::end &&
+           !(token_.newline_before && line_indent(token_.offset) <= indent)) {
+        is_separated_ = false;
+        advance();
+    }
+    if (token_.kind != TokenKind::right_bracket) return;
+    advance();
+    is_panicking_ = false;
+    has_broken_brackets_ = false;
+}
+
 // True if a `]` or `)` below this line closes a list whose opening bracket is missing: what stands
 // between are elements, not items.
 bool Parser::list_is_closed_below() const {

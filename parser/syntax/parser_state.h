@@ -182,6 +182,7 @@ class Parser {
     void synchronize();
     void skip_line();
     void skip_to_last_unopened_closer();
+    void skip_to_closing_line(const Token& opener);
     bool list_is_closed_below() const;
     void skip_balanced();
     void skip_with_lines_below(const Token& head);

@@ -71,7 +71,7 @@ TEST(SphereTree, HoldsEveryObjectInOneLeafBelowSpheresThatHoldIt) {
     EXPECT_TRUE(build_sphere_tree({}).nodes.empty());
 }
 
-/// The brief's cost of a split, written down once more: every object looked at for every plane.
+/// The cost of a split, written down once more: every object looked at for every plane.
 double cost_of(std::span<const BoundingSphere> objects, int axis, float plane) {
     Bounds all;
     Bounds sides[2];

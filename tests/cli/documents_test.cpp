@@ -105,6 +105,18 @@ TEST(Readme, FirstSceneRendersAndItsMisspellingIsToldAsShown) {
     EXPECT_EQ(told.err, message);
 }
 
+TEST(Readme, NamesThePackagesThatAreInstalled) {
+    const std::string readme = test::read_bytes(kTop + "/README.md");
+    const std::string dev = test::read_bytes(kTop + "/dev");
+    for (const std::string need : {"build", "test"}) {
+        std::smatch match;
+        ASSERT_TRUE(std::regex_search(dev, match, std::regex(need + "\\) echo ([^;]*) ;;")));
+        std::istringstream packages(match[1]);
+        std::string package;
+        while (packages >> package) EXPECT_THAT(readme, testing::HasSubstr(package));
+    }
+}
+
 TEST(DiagnosticsDocument, MessagesAreAsShown) {
     const std::vector<Fence> fences = fences_of(test::read_bytes(kTop + "/docs/diagnostics.md"));
     const test::TempDirectory directory;
@@ -143,22 +155,41 @@ TEST(Documents, ScenesAreFormatted) {
     EXPECT_GT(count, 20u);
 }
 
-// The table of tests per ray is what --stats says.
+/// The line of --stats about tests, of an example rendered by level 2.
+std::string tests_line(const std::string& example, const std::string& size,
+                       const std::string& accel) {
+    const auto result = test::run_process({LRAY_BINARY, "-n", "2", "-ps", "1", "-i",
+                                           kTop + "/examples/" + example + ".lrs", "--size", size,
+                                           "-o", "-", "--stats", "--quiet", "--accel", accel});
+    std::smatch match;
+    const bool is_found = std::regex_search(result.err, match, std::regex("tests        [^\n]*"));
+    EXPECT_TRUE(is_found) << result.err;
+    return match[0];
+}
+
+// The table of tests per ray is what --stats says, and so are the lines that are shown of it.
 TEST(HierarchiesDocument, TestsPerRayAreThoseOfTheProgram) {
     const std::string document = test::read_bytes(kTop + "/docs/hierarchies.md");
     const std::regex row("\n\\| `(none|spheres|boxes)` \\| ([0-9.]+) \\| ([0-9.]+) \\|");
-    std::size_t row_count = 0;
+    std::set<std::string> rows;
     for (auto at = std::sregex_iterator(document.begin(), document.end(), row);
          at != std::sregex_iterator(); ++at) {
-        ++row_count;
-        const auto result = test::run_process(
-            {LRAY_BINARY, "-n", "2", "-ps", "1", "-i", kTop + "/examples/sphereflake.lrs", "--size",
-             "160x120", "-o", "-", "--stats", "--quiet", "--accel", (*at)[1].str()});
-        const std::string told = "tests        " + (*at)[2].str() + " nodes, " + (*at)[3].str() +
-                                 " primitives, 0.00 instances per ray\n";
-        EXPECT_THAT(result.err, testing::HasSubstr(told));
+        const std::string accel = (*at)[1];
+        rows.insert(accel);
+        EXPECT_EQ(tests_line("sphereflake", "160x120", accel),
+                  "tests        " + (*at)[2].str() + " nodes, " + (*at)[3].str() +
+                      " primitives, 0.00 instances per ray");
     }
-    EXPECT_GE(row_count, 2u);
+    EXPECT_EQ(rows.size(), 3u);
+    const std::regex shown("\nhierarchy    (none|spheres|boxes)[^\n]*\n(tests[^\n]*)");
+    std::set<std::string> hierarchies;
+    for (auto at = std::sregex_iterator(document.begin(), document.end(), shown);
+         at != std::sregex_iterator(); ++at) {
+        const std::string accel = (*at)[1];
+        hierarchies.insert(accel);
+        EXPECT_EQ(tests_line("forest", "96x54", accel), (*at)[2]);
+    }
+    EXPECT_EQ(hierarchies.size(), 3u);
 }
 
 /// Files that a document links to, without those of the web.
@@ -174,8 +205,9 @@ std::vector<std::string> links_of(const std::string& document) {
 }
 
 TEST(Documents, LinkToFilesThatAreThere) {
-    for (const std::string document : {"README.md", "grammar.md", "docs/diagnostics.md",
-                                       "docs/guide.md", "docs/hierarchies.md"}) {
+    for (const std::string document :
+         {"README.md", "grammar.md", "docs/diagnostics.md", "docs/guide.md", "docs/hierarchies.md",
+          "docs/architecture.md"}) {
         const std::filesystem::path path = std::filesystem::path(kTop) / document;
         for (const std::string& link : links_of(test::read_bytes(path.string()))) {
             EXPECT_TRUE(std::filesystem::exists(path.parent_path() / link))

@@ -450,21 +450,27 @@ TEST_F(EndToEnd, StatsGoToStderr) {
 class Interrupted : public EndToEnd {
  protected:
     void start() {
+        begin(20'000, "none");
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    }
+
+    /// Returns when the hierarchy is about to be built.
+    void begin(int sphere_count, const std::string& accel) {
         std::string scene = kScene;
-        for (int i = 0; i < 20'000; ++i) {
+        for (int i = 0; i < sphere_count; ++i) {
             scene += "sphere { radius: 0.5, center: [0, 0, -" + std::to_string(i) + "] }\n";
         }
         directory_.write("scene.lrs", scene);
         directory_.write("image.png", "old");
-        process_.emplace(std::vector<std::string>{LRAY_BINARY, "-n", "1", "scene.lrs", "-o",
-                                                  "image.png", "--size", "2000x2000"},
-                         std::string_view{}, directory_.path());
-        // The output is opened when the render begins: a temporary file appears beside it.
-        for (int i = 0; i < 300 && directory_.names().size() < 3; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        process_.emplace(
+            std::vector<std::string>{LRAY_BINARY, "-n", "1", "--accel", accel, "--threads", "1",
+                                     "scene.lrs", "-o", "image.png", "--size", "2000x2000"},
+            std::string_view{}, directory_.path());
+        // Then the output is opened: a temporary file appears beside it.
+        for (int i = 0; i < 6000 && directory_.names().size() < 3; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
         ASSERT_GE(directory_.names().size(), 3u) << "the render did not begin";
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
     }
 
     void expect_partial_picture(const test::ProcessResult& result) {
@@ -485,6 +491,16 @@ TEST_F(Interrupted, ControlCWritesWhatThereIsAndExits130) {
     const auto result = process_->wait();
     EXPECT_EQ(result.exit_code, 130);
     expect_partial_picture(result);
+}
+
+TEST_F(Interrupted, WhileTheHierarchyIsBuiltThereIsNothingToWrite) {
+    begin(200'000, "spheres");
+    process_->send_signal(SIGINT);
+    const auto result = process_->wait();
+    EXPECT_EQ(result.exit_code, 130);
+    EXPECT_TRUE(contains(result.err, "lray: interrupted; nothing was written")) << result.err;
+    EXPECT_EQ(directory_.read("image.png"), "old");
+    EXPECT_EQ(directory_.names(), (std::vector<std::string>{"image.png", "scene.lrs"}));
 }
 
 TEST_F(Interrupted, TerminationWritesWhatThereIsAndExits143) {

@@ -29,6 +29,31 @@ class Levels : public testing::Test {
         return test::run_process(arguments, {}, directory_.path());
     }
 
+    /// Renders an example small; returns how it went, the picture on stdout.
+    test::ProcessResult run_example(const std::string& name, std::vector<std::string> options) {
+        std::vector<std::string> arguments{
+            "-n",      "2",
+            "-ps",     "2",
+            "-o",      "-",
+            "--size",  "36x27",
+            "--quiet", std::string(LRAY_SOURCE_DIR) + "/examples/" + name + ".lrs"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        // Without a hierarchy its 41 405 primitives would take most of the time. So coarse, the
+        // ground may be warned of.
+        if (name == "terrain") {
+            for (const char* word : {"-D", "detail=25", "-D", "trees=40", "-A", "all"}) {
+                arguments.push_back(word);
+            }
+        }
+        auto result = run(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return result;
+    }
+
+    std::string picture_of(const std::string& name, std::vector<std::string> options) {
+        return run_example(name, std::move(options)).out;
+    }
+
     image::Image picture(std::string_view name) {
         const std::string bytes = directory_.read(name);
         std::string error;
@@ -106,36 +131,38 @@ TEST_F(Levels, LevelTwoIsTheSameForThreadsAndCropsAndHierarchies) {
 // Every shader but the one that shows the hierarchy at work.
 TEST_F(Levels, EveryHierarchyGivesTheSameBytesOfEveryExample) {
     const std::filesystem::path examples = std::string(LRAY_SOURCE_DIR) + "/examples";
-    std::size_t scene_count = 0;
+    std::set<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(examples)) {
         if (entry.path().extension() != ".lrs") continue;
-        ++scene_count;
+        const std::string name = entry.path().stem().string();
+        names.insert(name);
         for (const std::string shading : {"flat", "normals", "depth"}) {
-            std::vector<std::string> pictures;
-            for (const std::string accel : {"none", "spheres", "boxes"}) {
-                std::vector<std::string> command{"-n",        "2",
-                                                 "-ps",       "2",
-                                                 "-o",        "-",
-                                                 "--size",    "36x27",
-                                                 "--accel",   accel,
-                                                 "--shading", shading,
-                                                 "--quiet",   entry.path().string()};
-                // Without a hierarchy its 41 405 primitives would take most of the time.
-                if (entry.path().stem() == "terrain") {
-                    for (const char* word : {"-D", "detail=25", "-D", "trees=40"}) {
-                        command.push_back(word);
-                    }
-                }
-                const auto result = run(command);
-                EXPECT_EQ(result.exit_code, 0) << result.err;
-                pictures.push_back(result.out);
-            }
-            EXPECT_GT(std::set<char>(pictures[0].begin(), pictures[0].end()).size(), 10u);
-            EXPECT_TRUE(pictures[0] == pictures[1]) << entry.path() << " spheres " << shading;
-            EXPECT_TRUE(pictures[0] == pictures[2]) << entry.path() << " boxes " << shading;
+            const auto picture = [&](const std::string& accel) {
+                return picture_of(name, {"--accel", accel, "--shading", shading});
+            };
+            const std::string tested = picture("none");
+            EXPECT_GT(std::set<char>(tested.begin(), tested.end()).size(), 10u);
+            EXPECT_TRUE(picture("spheres") == tested) << name << " spheres " << shading;
+            EXPECT_TRUE(picture("boxes") == tested) << name << " boxes " << shading;
         }
     }
-    EXPECT_GE(scene_count, 7u);
+    EXPECT_GE(names.size(), 8u);
+    EXPECT_TRUE(names.contains("forest")) << "the one with instances";
+}
+
+TEST_F(Levels, QualityOfBoxesChangesTheTreeAndNoByte) {
+    for (const std::string name : {"still_life", "forest", "terrain"}) {
+        std::set<double> reference_counts;
+        for (const std::string quality : {"low", "medium", "high"}) {
+            const auto result = run_example(name, {"--accel", "boxes", "--quality", quality,
+                                                   "--shading", "normals", "--stats=json"});
+            EXPECT_TRUE(result.out ==
+                        picture_of(name, {"--accel", "spheres", "--shading", "normals"}))
+                << name << " " << quality;
+            reference_counts.insert(test::read_json(result.err)["hierarchy"]["references"].number);
+        }
+        EXPECT_EQ(reference_counts.size(), 2u) << name << ": high cuts some in two";
+    }
 }
 
 TEST_F(Levels, CostShowsWhatAHierarchySaves) {

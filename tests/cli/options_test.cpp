@@ -243,7 +243,8 @@ TEST(Options, WrongValuesSayWhatIsTaken) {
     EXPECT_EQ(failed({"--max-files", "2k"}).message,
               "`--max-files` takes a whole number from 1, not `2k`");
     EXPECT_EQ(failed({"--max-scene-bytes", "99999999999999999999"}).message,
-              "`--max-scene-bytes` takes a whole number from 1, not `99999999999999999999`");
+              "`--max-scene-bytes` takes a whole number from 1 to 18446744073709551615, not "
+              "`99999999999999999999`");
     EXPECT_EQ(failed({"--color", "blue"}).message,
               "`--color` takes auto, always or never, not `blue`");
     EXPECT_EQ(failed({"--deny", "no-camra"}).message,
@@ -272,6 +273,9 @@ TEST(Options, WrongValuesSayWhatIsTaken) {
               "`--shading` takes flat, normals, depth or cost, not `phong`");
     EXPECT_EQ(failed({"--stats=3"}).message, "`--stats` takes nothing or json, not `3`");
     EXPECT_EQ(failed({"--seed", "-3"}).message, "`--seed` takes a whole number from 0, not `-3`");
+    EXPECT_EQ(failed({"--seed", "18446744073709551616"}).message,
+              "`--seed` takes a whole number from 0 to 18446744073709551615, not "
+              "`18446744073709551616`");
     for (const char* range : {"3", "3:", ":3", "a:b", "1:2:3", "-1:2", "0:32769"}) {
         EXPECT_EQ(failed({"--samples", range}).message,
                   std::string("`--samples` takes the first sample and the one behind the last like "
@@ -345,6 +349,19 @@ TEST(Options, WhatIsGivenByHandOverridesTheLevel) {
               shade::Shader::cost);
 }
 
+TEST(Options, WordsThatAreMisspeltOrShortenedAreSuggested) {
+    EXPECT_EQ(failed({"--accel", "sphere"}).message,
+              "`--accel` takes none, spheres or boxes, not `sphere`; did you mean `spheres`?");
+    EXPECT_EQ(failed({"--accel", "box"}).message,
+              "`--accel` takes none, spheres or boxes, not `box`; did you mean `boxes`?");
+    EXPECT_EQ(failed({"--quality", "hihg"}).message,
+              "`--quality` takes low, medium or high, not `hihg`; did you mean `high`?");
+    EXPECT_EQ(failed({"--shading", "normal"}).message,
+              "`--shading` takes flat, normals, depth or cost, not `normal`; did you mean "
+              "`normals`?");
+    EXPECT_EQ(failed({"--accel", ""}).message, "`--accel` takes none, spheres or boxes, not ``");
+}
+
 TEST(Options, StatsMayNameAForm) {
     EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm"}).stats, StatsFormat::none);
     EXPECT_EQ(parsed({"--stats", "a.lrs", "-o", "a.ppm"}).stats, StatsFormat::text);
@@ -405,6 +422,21 @@ TEST(Options, SamplesAtLevelOneWarn) {
     EXPECT_TRUE(others.warnings[0].starts_with("`--samples 0:4` is ignored: level 1"));
     EXPECT_TRUE(others.warnings[1].starts_with("`--seed 3` is ignored: level 1"));
     EXPECT_TRUE(parsed({"-n", "2", "--samples", "0:4", "--seed", "3", "a.lrs", "-o", "a.ppm"})
+                    .warnings.empty());
+}
+
+TEST(Options, QualityOfWhatIsNoBoxesWarns) {
+    const std::vector<std::vector<const char*>> choices{
+        {"-n", "1"}, {"-n", "2"}, {"--accel", "spheres"}};
+    for (const auto& choice : choices) {
+        const Options options =
+            parsed({choice[0], choice[1], "--quality", "high", "a.lrs", "-o", "a.ppm"});
+        ASSERT_EQ(options.warnings.size(), 1u);
+        EXPECT_EQ(options.warnings[0],
+                  "`--quality` is ignored: only boxes have a choice; `--accel boxes` builds them");
+    }
+    EXPECT_TRUE(parsed({"--quality", "high", "a.lrs", "-o", "a.ppm"}).warnings.empty());
+    EXPECT_TRUE(parsed({"-n", "2", "--quality", "high", "--accel", "boxes", "a.lrs", "-o", "a.ppm"})
                     .warnings.empty());
 }
 

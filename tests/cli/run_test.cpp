@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bvh/simd/walk.h"
 #include "cli/stats.h"
 #include "tests/support/json.h"
 
@@ -106,6 +107,15 @@ TEST_F(FormatStats, SaysWhatWasRenderedAndHowFast) {
     EXPECT_EQ(text.find("0.0 MiB"), std::string::npos) << text;
 }
 
+TEST_F(FormatStats, BoxesNameWhatTheyAreWalkedWith) {
+    options_.accel = bvh::AccelKind::boxes;
+    const std::string simd = bvh::simd_walks().name;
+    EXPECT_NE(format_stats(report()).find("hierarchy    boxes (" + simd + "): 9 nodes"),
+              std::string::npos)
+        << format_stats(report());
+    EXPECT_EQ(test::read_json(format_stats_json(report()))["hierarchy"]["simd"].string, simd);
+}
+
 TEST_F(FormatStats, PrototypesAndTheirPlacesAreCounted) {
     world_.prototypes.resize(1);
     world_.prototypes[0]
@@ -133,6 +143,7 @@ TEST_F(FormatStats, MachinesGetOneLineOfJson) {
     const test::Json json = test::read_json(text);
     EXPECT_EQ(json["primitives"]["triangles"].number, 12.0);
     EXPECT_EQ(json["hierarchy"]["kind"].string, "spheres");
+    EXPECT_EQ(json["hierarchy"]["simd"].string, "");
     EXPECT_EQ(json["hierarchy"]["nodes"].number, 9.0);
     EXPECT_EQ(json["hierarchy"]["cost"].number, 2.75);
     EXPECT_EQ(json["hierarchy"]["bytes"].number, 3145728.0);

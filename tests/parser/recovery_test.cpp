@@ -214,6 +214,25 @@ TEST(Recovery, ADeletedBracketIsReportedAboutOnce) {
         << cost.errors << " errors of " << cost.deletions << " deletions";
 }
 
+// What is below the list is read as if nothing had happened.
+TEST(Recovery, AMistakeInAListOfBlocksEndsWithTheList) {
+    const auto told_of = [](std::string_view element) {
+        return load_text(
+            fmt::format("let kinds = [\n  group {{ sphere {{ }} }},\n  {},\n"
+                        "  group {{ box {{ }} }}\n]\nkinds[0] {{ }}\nsphere {{ radius 1 }}\n",
+                        element));
+    };
+    for (const std::string_view element :
+         {"group sphere { } }", "group { sphere } }", "group { sphere { }", "group { sphere { ) }",
+          "group { box { size: [1, 2, 3 } }", "group { translate: [1, 2, 3] sphere { } "}) {
+        const Loaded loaded = told_of(element);
+        EXPECT_LE(loaded.diagnostics.error_count(), 3u) << loaded.text();
+        EXPECT_NE(loaded.text().find("7:16 expected `:` after `radius`"), std::string::npos)
+            << loaded.text();
+        EXPECT_EQ(loaded.text().find("`]` closes nothing"), std::string::npos) << loaded.text();
+    }
+}
+
 TEST(Recovery, ADeletedBracketOfAStatementOrFunctionIsReportedAboutOnce) {
     ASSERT_EQ(parse_text(kGarden).errors, "");
     const auto load = [](const std::string& text) {

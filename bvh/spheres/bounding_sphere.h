@@ -28,7 +28,8 @@ Bounds box_around(const BoundingSphere& sphere);
 
 /// Returns the t at which a ray enters a sphere that is larger than the given one by the errors of
 /// what is hit inside: kSlabSlack of the distance, along each of three axes, and as much for the
-/// rounding of t. Empty when the ray misses it or is in it only outside of (lo, hi).
+/// rounding of t; and twice by how much slabs take the origin for elsewhere. Empty when the ray
+/// misses it or is in it only outside of (lo, hi).
 /// Below lo when the ray begins inside.
 inline std::optional<double> entry_into(const BoundingSphere& sphere, const PreparedRay& ray,
                                         Interval interval) {
@@ -38,7 +39,12 @@ inline std::optional<double> entry_into(const BoundingSphere& sphere, const Prep
     const double middle = dot(to_center, ray.dir) / squared;
     const DVec3 across = to_center - middle * ray.dir;
     const double radius = static_cast<double>(sphere.radius);
-    const double reach = radius + kSlack * (std::sqrt(dot(to_center, to_center)) + radius);
+    constexpr double kOriginError = 2.0 * static_cast<double>(kOriginSlack);
+    constexpr double kLeastError = 4.0 * static_cast<double>(kLeastOriginSlack);
+    const double origin_size =
+        std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
+    const double reach = radius + kSlack * (std::sqrt(dot(to_center, to_center)) + radius) +
+                         kOriginError * origin_size + kLeastError;
     const double inside = reach * reach - dot(across, across);
     if (!(inside >= 0.0)) return std::nullopt;
     const double half = std::sqrt(inside / squared);

@@ -152,6 +152,35 @@ TEST(SphereTree, DepthIsBoundedWhereEverySplitTakesOffOne) {
     check(tree, many);
 }
 
+// A triangle seen edge-on is hit anywhere in the stretch of the ray in its box, which slabs widen.
+TEST(SphereTree, SphereAroundABoxIsMetWhereverSlabsHaveTheRayInTheBox) {
+    constexpr std::uint64_t kSeed = 14;
+    Random random(kSeed);
+    for (const float scale : {1e-18f, 1e-12f, 1.0f, 1e12f}) {
+        for (const float place : {0.0f, 1.0f, 1e3f, 1e6f}) {
+            int met_count = 0;
+            for (int i = 0; i < 20000; ++i) {
+                const Vec3 offset = random.in_cube(place * scale);
+                Bounds box;
+                for (int k = 0; k < 2; ++k) box.add(offset + random.in_cube(scale));
+                const DVec3 origin = DVec3{offset} + DVec3{random.in_cube(4.0f * scale)};
+                const DVec3 target = DVec3{offset} + DVec3{random.in_cube(1.5f * scale)};
+                const PreparedRay ray = prepare(origin, glm::normalize(target - origin));
+                const Stretch stretch = stretch_in(box, ray);
+                if (!(stretch.entry <= stretch.exit)) continue;
+                for (const float t : {stretch.entry * kEntryFactor, stretch.exit}) {
+                    if (!(t > 0.0f)) continue;
+                    ++met_count;
+                    ASSERT_TRUE(entry_into(sphere_around(box), ray, {next_down(t), next_up(t)}))
+                        << "seed " << kSeed << " scale " << scale << " place " << place << " i "
+                        << i;
+                }
+            }
+            EXPECT_GT(met_count, 1000);
+        }
+    }
+}
+
 TEST(SphereTree, LargeOnesAreTheSameHoweverManyThreadsBuildThem) {
     Random random(13);
     const std::vector<BoundingSphere> objects = random_spheres(random, 20'000);

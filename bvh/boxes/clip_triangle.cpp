@@ -4,16 +4,11 @@
 #include <array>
 
 #include "base/bounds.h"
+#include "bvh/kernels/triangle.h"
 
 namespace lray::bvh {
 
 namespace {
-
-/// The pad in parts of the coordinates: sixteen times the roundoff of float.
-constexpr double kPlacePad = 0x1p-20;
-/// And of the triangle's own extent, for triangles seen at a slant: down to a thousandth of a
-/// degree for those that fill the world.
-constexpr double kExtentPad = 0x1p-14;
 
 /// Adds where the edge from a to b passes a plane, if it does.
 void add_crossing(Bounds& bounds, DVec3 a, DVec3 b, int axis, double plane) {
@@ -44,10 +39,7 @@ BuildRef part_of(const scene::Geometry& geometry, const BuildRef& ref, int axis,
                  double high) {
     const RefCorners whole = corners_of(geometry, ref);
     const std::array<DVec3, 3> corners{DVec3{whole.a}, DVec3{whole.b}, DVec3{whole.c}};
-    const DVec3 least = glm::min(glm::min(corners[0], corners[1]), corners[2]);
-    const DVec3 most = glm::max(glm::max(corners[0], corners[1]), corners[2]);
-    const DVec3 pad =
-        kPlacePad * glm::max(glm::abs(least), glm::abs(most)) + kExtentPad * (most - least);
+    const DVec3 pad = part_pad(triangle_bounds(whole.a, whole.b, whole.c));
     const Bounds bounds = bounds_between(corners, axis, low - pad[axis], high + pad[axis]);
     BuildRef part = ref;
     for (int i = 0; i < 3; ++i) {

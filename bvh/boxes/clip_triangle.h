@@ -9,7 +9,7 @@ namespace lray::bvh {
 /// in [low, high] along an axis. Its box is empty (min > max) when there is nothing.
 ///
 /// The boxes of the parts of a triangle hold all of it, and overlap where it was cut, by the pad
-/// below. They have to: a ray that passes between two boxes that only touch may miss both by the
+/// of part_pad(). They have to: a ray that passes between two boxes that only touch may miss both by the
 /// rounding of the slabs, and the kernel counts hits of rays that pass the triangle by its own
 /// rounding, a few units of roundoff of the coordinates (Woop 2013), which seen at a slant moves
 /// the hit along the ray by a multiple of that. What is in proportion to the distance of the ray's

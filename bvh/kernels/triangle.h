@@ -20,8 +20,7 @@ struct TrianglePlane {
         : edge_b(DVec3{b} - DVec3{a}), edge_c(DVec3{c} - DVec3{a}), normal(cross(edge_b, edge_c)) {}
 };
 
-/// Returns the stretch of the ray in the triangle's box.
-inline Stretch triangle_stretch(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
+inline Bounds triangle_bounds(Vec3 a, Vec3 b, Vec3 c) {
     const auto least = [](float p, float q, float r) {
         const float pq = q < p ? q : p;
         return r < pq ? r : pq;
@@ -30,14 +29,30 @@ inline Stretch triangle_stretch(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) 
         const float pq = q > p ? q : p;
         return r > pq ? r : pq;
     };
-    const Bounds box{{least(a.x, b.x, c.x), least(a.y, b.y, c.y), least(a.z, b.z, c.z)},
-                     {most(a.x, b.x, c.x), most(a.y, b.y, c.y), most(a.z, b.z, c.z)}};
-    return stretch_in(box, ray);
+    return {{least(a.x, b.x, c.x), least(a.y, b.y, c.y), least(a.z, b.z, c.z)},
+            {most(a.x, b.x, c.x), most(a.y, b.y, c.y), most(a.z, b.z, c.z)}};
 }
 
-/// Returns t where the ray meets the plane of a triangle, kept within the stretch of the ray in the
-/// triangle's box, which is not empty: seen edge-on, the plane alone may say anything. NaN when the
-/// ray is parallel to the plane or the triangle has no area.
+/// Returns the stretch of the ray in the triangle's box.
+inline Stretch triangle_stretch(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
+    return stretch_in(triangle_bounds(a, b, c), ray);
+}
+
+/// By how much what holds a part of a triangle is larger than the part: sixteen times the roundoff
+/// of float in parts of the coordinates, and so much of the triangle's own extent that only a ray
+/// that is as good as in its plane meets the plane farther from the point that is hit.
+/// Shape: the bounds of the whole triangle.
+inline DVec3 part_pad(const Bounds& whole) {
+    constexpr double kPlacePad = 0x1p-20;
+    constexpr double kExtentPad = 0x1p-9;
+    const DVec3 least{whole.min};
+    const DVec3 most{whole.max};
+    return kPlacePad * glm::max(glm::abs(least), glm::abs(most)) + kExtentPad * (most - least);
+}
+
+/// Returns t where the ray meets the plane of a triangle, kept within a stretch of the ray that is
+/// not empty: seen edge-on, the plane alone may say anything. NaN when the ray is parallel to the
+/// plane or the triangle has no area.
 /// In double, so that the side of the plane a ray begins on is known to the error bound that
 /// surface_at() gives; float would find a ray that leaves the triangle on it again (pbrt 4th ed.,
 /// 6.8.7, rejects such hits by a bound on t, and real ones with them).
@@ -86,6 +101,41 @@ EdgeAreas<Number> edge_areas(ShearedCorner a, ShearedCorner b, ShearedCorner c) 
     return {area(c, b), area(a, c), area(b, a)};
 }
 
+/// The sine of the angle between a ray and a plane, squared: below it what float loses along the
+/// ray is more than the slack of slabs. A sheared corner is off by six roundings at most, which
+/// this makes 24 of t; the slack is 32.
+inline constexpr double kGrazing = 1.0 / 16.0;
+
+/// Returns the stretch of a ray that grazes a triangle in which its hit may lie: beside the point
+/// of the triangle that the areas say is hit, not anywhere in its box. There a tree that has the
+/// triangle in parts finds it, as one of the parts holds that point and all about it within
+/// part_pad(). `areas` are of one sign and not all 0.
+inline Stretch grazing_stretch(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<double>& areas,
+                               const PreparedRay& ray) {
+    const double sum = areas.a + areas.b + areas.c;
+    const DVec3 point = (areas.a * DVec3{a} + areas.b * DVec3{b} + areas.c * DVec3{c}) / sum;
+    Bounds box = triangle_bounds(a, b, c);
+    const DVec3 pad = 0.5 * part_pad(box);  // half: the rest is for the rounding of the point
+    for (int axis = 0; axis < 3; ++axis) {
+        const float low = round_down(point[axis] - pad[axis]);
+        const float high = round_up(point[axis] + pad[axis]);
+        box.min[axis] = low > box.min[axis] ? low : box.min[axis];
+        box.max[axis] = high < box.max[axis] ? high : box.max[axis];
+    }
+    return stretch_in(box, ray);
+}
+
+/// Returns the stretch in which the hit of a triangle counts, of that in its box. Empty if there is
+/// none.
+inline Stretch hit_stretch(Vec3 a, Vec3 b, Vec3 c, const TrianglePlane& plane,
+                           const Stretch& in_box, const PreparedRay& ray) {
+    const double slope = dot(plane.normal, ray.dir);
+    const double steepest = dot(plane.normal, plane.normal) * dot(ray.dir, ray.dir);
+    if (slope * slope >= kGrazing * steepest) return in_box;
+    const auto areas = edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
+    return grazing_stretch(a, b, c, areas, ray);
+}
+
 /// Returns the hit of a triangle whose areas do not have two signs and in whose box the ray is for
 /// a stretch: intersect_triangle()'s second half.
 inline KernelHit finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>& areas,
@@ -105,8 +155,12 @@ inline KernelHit finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>&
         if (!(exact_sum != 0.0)) return {};
     }
     const TrianglePlane plane(a, b, c);
-    const auto t = static_cast<float>(triangle_t(a, plane, stretch, ray));
+    const Stretch here = hit_stretch(a, b, c, plane, stretch, ray);
+    if (!(here.entry <= here.exit)) return {};
+    const auto t = static_cast<float>(triangle_t(a, plane, here, ray));
     if (!interval.contains(t)) return {};
+    // A ray that leaves the triangle has its plane behind it, though maybe not that point.
+    if (!(static_cast<float>(triangle_t(a, plane, stretch, ray)) > interval.lo)) return {};
     const Vec3 normal{plane.normal};
     if (!is_inexact) return {t, areas.b / sum, areas.c / sum, normal};
     return {t, static_cast<float>(exact.b / exact_sum), static_cast<float>(exact.c / exact_sum),

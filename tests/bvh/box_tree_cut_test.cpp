@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bvh/accel.h"
 #include "bvh/boxes/box_tree.h"
 #include "tests/bvh/worlds.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 using scene::PrimitiveId;
 using scene::PrimitiveKind;
+using scene::World;
 
 /// What of a triangle the boxes above a leaf let through.
 struct Part {
@@ -180,6 +182,57 @@ TEST(BoxTreeCut, FarFromTheOriginHugeTinyAndFlatOnesAreCoveredToo) {
             check_cover(geometry, geometry.triangles.size(), random);
         }
     }
+}
+
+/// A ray in the plane of a triangle, from anywhere in it to a point of the triangle, rounded.
+Ray ray_along(const World& world, Random& random) {
+    const auto count = static_cast<int>(world.triangles.size());
+    const auto& [a, b, c] = world.triangles[static_cast<std::size_t>(random.below(count))].vertices;
+    const DVec3 corner{world.vertices[a]};
+    const DVec3 side{world.vertices[b] - world.vertices[a]};
+    const DVec3 other{world.vertices[c] - world.vertices[a]};
+    const auto point = [&](float least, float most) {
+        const auto u = static_cast<double>(random.uniform(least, most));
+        const auto v = static_cast<double>(random.uniform(least, most));
+        return corner + u * side + v * other;
+    };
+    const Vec3 origin{point(-3.0f, 4.0f)};
+    return {origin, glm::normalize(point(0.0f, 0.5f) - DVec3{origin})};
+}
+
+// Of a triangle seen edge-on the plane may be met anywhere along the ray, also where the part lies
+// that the ray does not pass.
+TEST(BoxTreeCut, TrianglesSeenEdgeOnAreHitAsWholeOnes) {
+    constexpr std::uint64_t kSeed = 27;
+    Random random(kSeed);
+    int hit_count = 0;
+    for (int i = 0; i < 150; ++i) {
+        World world;
+        const DMat3 axes = random.rotation();
+        for (int k = 0; k < 60; ++k) {  // in layers
+            const Vec3 corner = random.in_cube(2.0f);
+            add_triangle(world, corner, corner + Vec3{axes[0]} * random.uniform(1.0f, 6.0f),
+                         corner + Vec3{axes[1]} * random.uniform(1.0f, 6.0f));
+        }
+        const auto expected = build(world, {.kind = AccelKind::none});
+        const auto cut = build(world, {.kind = AccelKind::boxes, .quality = BuildQuality::high});
+        for (int k = 0; k < 300; ++k) {
+            const Ray ray = ray_along(world, random);
+            TraceCounts counts;
+            const Hit first = expected->nearest_hit(ray, {}, counts);
+            if (first.is_none()) continue;
+            ++hit_count;
+            for (const Interval interval :
+                 {Interval{}, {0.0f, next_up(first.t)}, {next_down(first.t), next_up(first.t)}}) {
+                const Hit hit = expected->nearest_hit(ray, interval, counts);
+                const Hit found = cut->nearest_hit(ray, interval, counts);
+                ASSERT_EQ(found.primitive_id, hit.primitive_id)
+                    << "seed " << kSeed << " world " << i << " ray " << k;
+                ASSERT_EQ(found.t, hit.t) << "seed " << kSeed << " world " << i << " ray " << k;
+            }
+        }
+    }
+    EXPECT_GT(hit_count, 5000);
 }
 
 TEST(BoxTreeCut, OtherKindsAreNotCut) {

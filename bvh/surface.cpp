@@ -57,8 +57,7 @@ DVec3 at(const PreparedRay& ray, double t) {
 Site site_of_triangle(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
     const TrianglePlane plane(a, b, c);
     Site site;
-    const Stretch stretch = hit_stretch(a, b, c, plane, triangle_stretch(a, b, c, ray), ray);
-    site.position = at(ray, triangle_t(a, plane, stretch, ray));
+    site.position = at(ray, triangle_hit_t(a, b, c, plane, ray));
     site.gradient = plane.normal;
     const DVec3 offset = site.position - DVec3{a};
     site.value = std::fabs(dot(plane.normal, offset));

@@ -109,9 +109,9 @@ inline constexpr double kGrazing = 1.0 / 16.0;
 /// Returns the stretch of a ray that grazes a triangle in which its hit may lie: beside the point
 /// of the triangle that the areas say is hit, not anywhere in its box. There a tree that has the
 /// triangle in parts finds it, as one of the parts holds that point and all about it within
-/// part_pad(). `areas` are of one sign and not all 0.
-inline Stretch grazing_stretch(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<double>& areas,
-                               const PreparedRay& ray) {
+/// part_pad(). The areas are of one sign and not all 0.
+inline Stretch grazing_stretch(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
+    const auto areas = edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
     const double sum = areas.a + areas.b + areas.c;
     const DVec3 point = (areas.a * DVec3{a} + areas.b * DVec3{b} + areas.c * DVec3{c}) / sum;
     Bounds box = triangle_bounds(a, b, c);
@@ -125,15 +125,17 @@ inline Stretch grazing_stretch(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<double>& 
     return stretch_in(box, ray);
 }
 
-/// Returns the stretch in which the hit of a triangle counts, of that in its box. Empty if there is
-/// none.
-inline Stretch hit_stretch(Vec3 a, Vec3 b, Vec3 c, const TrianglePlane& plane,
-                           const Stretch& in_box, const PreparedRay& ray) {
+inline bool is_grazing(const TrianglePlane& plane, const PreparedRay& ray) {
     const double slope = dot(plane.normal, ray.dir);
-    const double steepest = dot(plane.normal, plane.normal) * dot(ray.dir, ray.dir);
-    if (slope * slope >= kGrazing * steepest) return in_box;
-    const auto areas = edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
-    return grazing_stretch(a, b, c, areas, ray);
+    return !(slope * slope >= kGrazing * dot(plane.normal, plane.normal) * dot(ray.dir, ray.dir));
+}
+
+/// Returns the t of a hit before it is rounded: finish_triangle()'s.
+inline double triangle_hit_t(Vec3 a, Vec3 b, Vec3 c, const TrianglePlane& plane,
+                             const PreparedRay& ray) {
+    const Stretch stretch =
+        is_grazing(plane, ray) ? grazing_stretch(a, b, c, ray) : triangle_stretch(a, b, c, ray);
+    return triangle_t(a, plane, stretch, ray);
 }
 
 /// Returns the hit of a triangle whose areas do not have two signs and in whose box the ray is for
@@ -155,12 +157,16 @@ inline KernelHit finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>&
         if (!(exact_sum != 0.0)) return {};
     }
     const TrianglePlane plane(a, b, c);
-    const Stretch here = hit_stretch(a, b, c, plane, stretch, ray);
-    if (!(here.entry <= here.exit)) return {};
-    const auto t = static_cast<float>(triangle_t(a, plane, here, ray));
+    auto t = static_cast<float>(triangle_t(a, plane, stretch, ray));
+    // A ray that leaves the triangle has its plane behind it, though maybe not the point that it
+    // grazes.
+    if (!(t > interval.lo)) return {};
+    if (is_grazing(plane, ray)) {
+        const Stretch here = grazing_stretch(a, b, c, ray);
+        if (!(here.entry <= here.exit)) return {};
+        t = static_cast<float>(triangle_t(a, plane, here, ray));
+    }
     if (!interval.contains(t)) return {};
-    // A ray that leaves the triangle has its plane behind it, though maybe not that point.
-    if (!(static_cast<float>(triangle_t(a, plane, stretch, ray)) > interval.lo)) return {};
     const Vec3 normal{plane.normal};
     if (!is_inexact) return {t, areas.b / sum, areas.c / sum, normal};
     return {t, static_cast<float>(exact.b / exact_sum), static_cast<float>(exact.c / exact_sum),

@@ -19,7 +19,7 @@
 #include "bench/trace_scenes.h"
 #include "bench/trace_side.h"
 #include "bench/trace_table.h"
-#include "bvh/simd/walk.h"
+#include "bvh/boxes/box_accel.h"
 
 namespace {
 
@@ -188,7 +188,8 @@ SceneResult measure_scene(const TraceScene& scene, const Options& options) {
 int measure_all(const Options& options) {
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     fmt::print("one thread, best of {}, {} quality; boxes are walked with {}\n\n",
-               options.repeat_count, quality_name(options.build.quality), bvh::simd_walks().name);
+               options.repeat_count, quality_name(options.build.quality),
+               bvh::fastest_walks().name);
     std::vector<SceneResult> results;
     bool are_alike = true;
     for (const std::string& name : options.scenes) {

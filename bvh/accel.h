@@ -50,6 +50,7 @@ struct AccelStats {
 };
 
 /// A built hierarchy. It refers to the World, which must outlive it. Const calls are thread-safe.
+/// Intervals begin at 0 or later: nothing behind a ray's origin is looked for.
 class Accel {
  public:
     virtual ~Accel() = default;

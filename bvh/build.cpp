@@ -29,7 +29,7 @@ std::unique_ptr<Accel> build(const scene::World& world, const BuildOptions& opti
         case AccelKind::spheres:
             return make_sphere_accel(world);
         case AccelKind::boxes:
-            return make_box_accel(world, options.quality, simd_walks());
+            return make_box_accel(world, options.quality, fastest_walks());
     }
     LRAY_ASSERT(false);
 }

@@ -8,7 +8,7 @@
 
 #include "base/assert.h"
 #include "base/json_writer.h"
-#include "bvh/simd/walk.h"
+#include "bvh/boxes/box_accel.h"
 #include "cli/console.h"
 
 namespace lray::cli {
@@ -85,7 +85,7 @@ std::string primitives_text(const scene::World& world) {
 
 /// What the processor walks boxes with, as Highway calls it; empty for the other hierarchies.
 std::string_view simd_name(const RenderReport& report) {
-    return report.options.accel == bvh::AccelKind::boxes ? bvh::simd_walks().name : "";
+    return report.options.accel == bvh::AccelKind::boxes ? bvh::fastest_walks().name : "";
 }
 
 std::string hierarchy_text(const RenderReport& report) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/assert.h"
+#include "bvh/boxes/scalar_walk.h"
 #include "bvh/boxes/tile_of_rays.h"
 
 namespace lray::bvh {
@@ -81,6 +82,10 @@ class BoxAccel final : public Accel {
 };
 
 }  // namespace
+
+Walks fastest_walks() {
+    return simd_targets() != 0 ? simd_walks() : scalar_walks();
+}
 
 std::unique_ptr<Accel> make_box_accel(const scene::World& world, BuildQuality quality,
                                       const Walks& walks) {

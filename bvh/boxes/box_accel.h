@@ -8,6 +8,9 @@
 
 namespace lray::bvh {
 
+/// The walks that are fastest on this processor.
+Walks fastest_walks();
+
 /// Builds the trees of a world and its prototypes, walked as `walks` do.
 std::unique_ptr<Accel> make_box_accel(const scene::World& world, BuildQuality quality,
                                       const Walks& walks);

@@ -152,7 +152,7 @@ constexpr WalkCalls kAnyCalls{any_triangle, any_sphere, any_listed};
 
 PartWalk::PartWalk(const BoxParts& the_parts, const BoxPart& the_part, scene::PlaceOffset the_place,
                    PreparedRay& the_ray, Interval the_interval, TraceCounts& the_counts)
-    : Walk{&the_ray, nullptr, the_interval.lo, reach_of(the_interval.hi), 0, 0, {}},
+    : Walk{&the_ray, nullptr, walk_begin(the_interval), reach_of(the_interval.hi), 0, 0, {}},
       parts(&the_parts),
       part(&the_part),
       place(the_place),

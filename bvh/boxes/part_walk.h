@@ -25,6 +25,11 @@ struct BoxParts {
     std::vector<BoxPart> prototypes{};
 };
 
+/// Where a walk begins: not before 0, and not at -0, as walks sort floats by their bits.
+inline float walk_begin(Interval interval) {
+    return interval.lo > 0.0f ? interval.lo : 0.0f;
+}
+
 /// What all walks of a ray through a world share.
 struct PartWalk : Walk {
     /// The rays and counts must outlive the walk.

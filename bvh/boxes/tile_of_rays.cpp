@@ -59,7 +59,7 @@ class TileOfRays : public Tile {
                 origin[axis][i] = rays_[source].origin[axis];
                 dir[axis][i] = rays_[source].dir[axis];
             }
-            lo[i] = intervals_[source].lo;
+            lo[i] = walk_begin(intervals_[source]);
             reach[i] = !is_ray               ? kNoReach
                        : walks[i] != nullptr ? walks[i]->reach
                                              : reach_of(intervals_[i].hi);

@@ -48,7 +48,7 @@ struct WalkCalls {
 struct Walk {
     FloatRay* ray;  // set out; walks prepare its floats
     const WalkCalls* calls;
-    float lo;
+    float lo;     // 0 or more
     float reach;  // what is entered beyond it cannot hold a hit that counts: reach_of(hi)
     std::uint64_t node_tests;
     std::uint64_t primitive_tests;
@@ -101,7 +101,7 @@ struct Walks {
 /// a bit each.
 std::int64_t simd_targets();
 
-/// The walks for the best of them.
+/// The walks for the best of them; there has to be one.
 Walks simd_walks();
 
 }  // namespace lray::bvh

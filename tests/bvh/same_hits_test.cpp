@@ -253,7 +253,7 @@ void expect_same(const Hit& found, const Hit& expected, const std::string& where
 }
 
 Interval random_interval(Random& random, float scale) {
-    if (random.below(3) != 0) return {};
+    if (random.below(3) != 0) return {random.below(2) == 0 ? 0.0f : -0.0f, kInfinity};
     return {random.uniform(0.0f, 3.0f) * scale, random.uniform(3.0f, 9.0f) * scale};
 }
 

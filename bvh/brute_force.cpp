@@ -152,12 +152,6 @@ class BruteForce final : public Accel {
         return is_hit;
     }
 
-    /// Up to and including the best t: at equal t the lesser place and id win.
-    static Interval up_to(const Hit& best, Interval interval) {
-        const float hi = best.is_none() ? interval.hi : next_up(best.t);
-        return {interval.lo, hi < interval.hi ? hi : interval.hi};
-    }
-
     Part world_;
     std::vector<Part> prototypes_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/numerics.h"
+#include "base/ray.h"
 #include "scene/world.h"
 
 namespace lray::bvh {
@@ -28,6 +29,14 @@ inline bool is_closer(const Hit& a, const Hit& b) {
     if (a.t != b.t) return a.t < b.t;
     if (a.place != b.place) return a.place < b.place;
     return a.primitive_id < b.primitive_id;
+}
+
+/// Returns what of an interval may still hold a closer hit: up to and including the best t, where
+/// the lesser place and id win.
+inline Interval up_to(const Hit& best, Interval interval) {
+    if (best.is_none()) return interval;
+    const float hi = next_up(best.t);
+    return {interval.lo, hi < interval.hi ? hi : interval.hi};
 }
 
 }  // namespace lray::bvh

@@ -33,7 +33,7 @@ struct Stretch {
 };
 
 /// Grows with the box: a box inside of another has a stretch inside of the other's, to the bit.
-inline Stretch stretch_in(const Bounds& box, const PreparedRay& ray) {
+inline Stretch stretch_in(const Bounds& box, const FloatRay& ray) {
     const auto near = [&](int axis) {
         const float plane = ray.near_side[axis] != 0 ? box.max[axis] : box.min[axis];
         return (plane - ray.origin_near[axis]) * ray.inv_dir[axis];

@@ -57,6 +57,12 @@ struct PrimitiveId {
         : value(static_cast<std::uint32_t>(kind) << kIndexBits |
                 static_cast<std::uint32_t>(index)) {}
 
+    static constexpr PrimitiveId of_value(std::uint32_t value) {
+        PrimitiveId id;
+        id.value = value;
+        return id;
+    }
+
     constexpr bool is_none() const { return value == kNone; }
     constexpr PrimitiveKind kind() const { return static_cast<PrimitiveKind>(value >> kIndexBits); }
     constexpr std::uint32_t index() const { return value & kMaxIndex; }

@@ -36,6 +36,18 @@ inline std::uint32_t leaf_count(BoxChild child) {
 inline std::uint32_t leaf_first(BoxChild child) {
     return child & kMaxLeafFirst;
 }
+inline Vec3 corner_of(const TriangleBlock& block, std::size_t vertex, std::size_t lane) {
+    const auto& axes = block.corners[vertex];
+    return {axes[0][lane], axes[1][lane], axes[2][lane]};
+}
+inline Bounds box_of(const BoxNode& node, std::size_t child) {
+    Bounds box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = node.planes[axis][0][child];
+        box.max[axis] = node.planes[axis][1][child];
+    }
+    return box;
+}
 inline const BoxNode& node_of(const BoxTreeView& tree, BoxChild child) {
     return tree.nodes[child / kNodeUnits];
 }

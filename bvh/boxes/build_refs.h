@@ -55,8 +55,7 @@ struct RefCorners {
     Vec3 c{};
 };
 inline RefCorners corners_of(const scene::Geometry& geometry, const BuildRef& ref) {
-    scene::PrimitiveId id;
-    id.value = ref.id;
+    const auto id = scene::PrimitiveId::of_value(ref.id);
     if (id.kind() == scene::PrimitiveKind::triangle) {
         const auto& [a, b, c] = geometry.triangles[id.index()].vertices;
         return {geometry.vertices[a], geometry.vertices[b], geometry.vertices[c]};

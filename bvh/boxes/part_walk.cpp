@@ -32,12 +32,6 @@ SphereRay make_sphere_ray(const PreparedRay& ray) {
     return result;
 }
 
-PrimitiveId id_of(std::uint32_t value) {
-    PrimitiveId id;
-    id.value = value;
-    return id;
-}
-
 Hit meet(const PartWalk& walk, PrimitiveId id) {
     Hit hit = intersect(walk.geometry(), id, *walk.prepared, walk.interval);
     hit.place = walk.place;
@@ -50,20 +44,17 @@ Hit meet(const PartWalk& walk, const SphereBlock& block, std::uint32_t lane) {
         {block.center[0][lane], block.center[1][lane], block.center[2][lane]}, block.radius[lane]};
     const KernelHit hit = first_in(crossings(sphere, *walk.prepared), walk.interval);
     if (hit.is_none()) return {};
-    return {hit.t, hit.u, hit.v, id_of(block.ids[lane]), walk.place, hit.normal};
+    return {hit.t, hit.u, hit.v, PrimitiveId::of_value(block.ids[lane]), walk.place, hit.normal};
 }
 
 /// What was found is what intersect_triangle() would work out again.
 Hit finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
            const TriangleFind& find) {
-    const PrimitiveId id = id_of(block.ids[lane]);
+    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
     if (id.kind() != PrimitiveKind::triangle) return meet(walk, id);
-    const auto corner = [&](std::size_t vertex) {
-        const auto& axes = block.corners[vertex];
-        return Vec3{axes[0][lane], axes[1][lane], axes[2][lane]};
-    };
     const KernelHit hit =
-        finish_triangle(corner(0), corner(1), corner(2), {find.area_a, find.area_b, find.area_c},
+        finish_triangle(corner_of(block, 0, lane), corner_of(block, 1, lane),
+                        corner_of(block, 2, lane), {find.area_a, find.area_b, find.area_c},
                         {find.entry, find.exit}, *walk.prepared, walk.interval);
     return {hit.t, hit.u, hit.v, hit.is_none() ? PrimitiveId{} : id, walk.place, hit.normal};
 }
@@ -104,7 +95,7 @@ Met nearest_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
 Met nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
     auto& self = static_cast<PartWalk&>(walk);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const PrimitiveId id = id_of(ids[i]);
+        const PrimitiveId id = PrimitiveId::of_value(ids[i]);
         if (id.kind() == PrimitiveKind::instance) {
             nearest_in(self, self.geometry().instances[id.index()]);
         } else {
@@ -118,14 +109,15 @@ Met nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
 Met any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                  const TriangleFind& find) {
     const auto& self = static_cast<const PartWalk&>(walk);
-    const bool is_hit =
-        self.casts_shadow(id_of(block.ids[lane])) && !finish(self, block, lane, find).is_none();
+    const bool is_hit = self.casts_shadow(PrimitiveId::of_value(block.ids[lane])) &&
+                        !finish(self, block, lane, find).is_none();
     return is_hit ? Met::end : Met::nothing;
 }
 
 Met any_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
     const auto& self = static_cast<const PartWalk&>(walk);
-    return self.casts_shadow(id_of(block.ids[lane])) && !meet(self, block, lane).is_none()
+    return self.casts_shadow(PrimitiveId::of_value(block.ids[lane])) &&
+                   !meet(self, block, lane).is_none()
                ? Met::end
                : Met::nothing;
 }
@@ -134,7 +126,7 @@ Met any_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
 Met any_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
     auto& self = static_cast<PartWalk&>(walk);
     const bool is_hit = std::any_of(ids, ids + count, [&](std::uint32_t value) {
-        const PrimitiveId id = id_of(value);
+        const PrimitiveId id = PrimitiveId::of_value(value);
         if (!self.casts_shadow(id)) return false;
         if (id.kind() == PrimitiveKind::instance) {
             return any_in(self, self.geometry().instances[id.index()]);
@@ -195,8 +187,7 @@ bool PartWalk::keep(const Hit& hit) {
 }
 
 void PartWalk::narrow() {
-    if (best->is_none()) return;
-    interval.hi = std::min(interval.hi, next_up(best->t));
+    interval = up_to(*best, interval);
     reach = reach_of(interval.hi);
 }
 

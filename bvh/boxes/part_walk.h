@@ -65,7 +65,7 @@ struct PartWalk : Walk {
     /// Keeps a hit if it is the best; then nothing farther counts. Returns whether it did.
     bool keep(const Hit& hit);
 
-    /// Takes the interval up to and including the best t: at equal t the lesser place and id win.
+    /// Leaves of the interval what may hold a closer hit than the best.
     void narrow();
 
     bool casts_shadow(scene::PrimitiveId id) const;

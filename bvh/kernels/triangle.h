@@ -34,7 +34,7 @@ inline Bounds triangle_bounds(Vec3 a, Vec3 b, Vec3 c) {
 }
 
 /// Returns the stretch of the ray in the triangle's box.
-inline Stretch triangle_stretch(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
+inline Stretch triangle_stretch(Vec3 a, Vec3 b, Vec3 c, const FloatRay& ray) {
     return stretch_in(triangle_bounds(a, b, c), ray);
 }
 
@@ -72,7 +72,7 @@ struct ShearedCorner {
     float y = 0.0f;
 };
 
-inline ShearedCorner sheared(Vec3 p, const PreparedRay& ray) {
+inline ShearedCorner sheared(Vec3 p, const FloatRay& ray) {
     const float q[3] = {p.x - ray.origin_float[0], p.y - ray.origin_float[1],
                         p.z - ray.origin_float[2]};
     const float z = q[ray.axes[2]];

@@ -38,23 +38,40 @@ HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
     return bits[0];
 }
 
+/// What prepare_floats() of prepared_ray.h works out for slabs, of as many axes or rays as `D` has
+/// lanes.
+template <class D>
+struct Slabs {
+    hn::Vec<D> origin_near;
+    hn::Vec<D> origin_far;
+    hn::Vec<D> inv_dir;
+    hn::Vec<D> inv_dir_far;
+};
+
+template <class D>
+HWY_INLINE Slabs<D> make_slabs(D d, const float* origins, const float* dirs) {
+    const auto most = hn::Set(d, kMaxInverse);
+    const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Load(d, dirs));
+    const auto limited = hn::Max(hn::Min(inverse, most), hn::Neg(most));
+    const auto origin = hn::Load(d, origins);
+    const auto slack =
+        hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, kOriginSlack)), hn::Set(d, kLeastOriginSlack));
+    const auto ahead = hn::CopySign(slack, inverse);
+    return {hn::Add(origin, ahead), hn::Sub(origin, ahead), limited,
+            hn::Mul(limited, hn::Set(d, kExitFactor))};
+}
+
 /// prepare_floats() of prepared_ray.h.
 HWY_INLINE void prepare_ray(FloatRay& ray) {
     const hn::CappedTag<float, 4> d;
     const hn::RebindToUnsigned<decltype(d)> w;
-    const auto most = hn::Set(d, kMaxInverse);
     for (std::size_t i = 0; i < 4; i += hn::MaxLanes(d)) {
-        const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Load(d, ray.dir_float + i));
-        const auto limited = hn::Max(hn::Min(inverse, most), hn::Neg(most));
-        const auto origin = hn::Load(d, ray.origin_float + i);
-        const auto slack = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, kOriginSlack)),
-                                   hn::Set(d, kLeastOriginSlack));
-        const auto ahead = hn::CopySign(slack, inverse);
-        hn::Store(limited, d, ray.inv_dir + i);
-        hn::Store(hn::Mul(limited, hn::Set(d, kExitFactor)), d, ray.inv_dir_far + i);
-        hn::Store(hn::Add(origin, ahead), d, ray.origin_near + i);
-        hn::Store(hn::Sub(origin, ahead), d, ray.origin_far + i);
-        hn::Store(hn::ShiftRight<31>(hn::BitCast(w, inverse)), w, ray.near_side + i);
+        const auto slabs = make_slabs(d, ray.origin_float + i, ray.dir_float + i);
+        hn::Store(slabs.origin_near, d, ray.origin_near + i);
+        hn::Store(slabs.origin_far, d, ray.origin_far + i);
+        hn::Store(slabs.inv_dir, d, ray.inv_dir + i);
+        hn::Store(slabs.inv_dir_far, d, ray.inv_dir_far + i);
+        hn::Store(hn::ShiftRight<31>(hn::BitCast(w, slabs.inv_dir)), w, ray.near_side + i);
     }
     // Without branches: rays after each other may run anywhere.
     const float x = ray.dir_float[0] < 0.0f ? -ray.dir_float[0] : ray.dir_float[0];
@@ -122,20 +139,32 @@ HWY_INLINE FloatVec far_of(const SlabAxis& axis, std::size_t offset) {
     return hn::Mul(hn::Sub(plane, axis.origin_far), axis.inv_dir_far);
 }
 
-/// Returns in which children of a node the ray is somewhere between `lo` and `reach`, a bit each,
-/// and where it enters them, as the bits of floats.
+/// Where a ray enters children of a node, and which of them it is in between `lo` and `reach`.
+struct BoxesMet {
+    FloatVec entry;
+    FloatMask is_met;
+};
+
+/// Of the children from `lane` on: a step of them.
+HWY_INLINE BoxesMet meet_step(BoxChild node, std::uint32_t lane, const SlabRay& ray,
+                              FloatVec reach) {
+    const std::size_t at = std::size_t{node} * (kNodeUnitBytes / sizeof(float)) + lane;
+    const FloatVec entry = hn::Max(hn::Max(near_of(ray.x, at), near_of(ray.y, at)),
+                                   hn::Max(near_of(ray.z, at), ray.lo));
+    const FloatVec exit =
+        hn::Min(hn::Min(far_of(ray.x, at), far_of(ray.y, at)), hn::Min(far_of(ray.z, at), reach));
+    return {entry, hn::Le(entry, exit)};
+}
+
+/// Of all children: a bit for each that is met, and the entries as the bits of floats.
 HWY_INLINE std::uint32_t meet_boxes(BoxChild node, const SlabRay& ray, FloatVec reach,
                                     std::uint32_t* HWY_RESTRICT entries) {
     const Words w;
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
-        const std::size_t at = std::size_t{node} * (kNodeUnitBytes / sizeof(float)) + i;
-        const FloatVec entry = hn::Max(hn::Max(near_of(ray.x, at), near_of(ray.y, at)),
-                                       hn::Max(near_of(ray.z, at), ray.lo));
-        const FloatVec exit = hn::Min(hn::Min(far_of(ray.x, at), far_of(ray.y, at)),
-                                      hn::Min(far_of(ray.z, at), reach));
-        hn::Store(hn::BitCast(w, entry), w, entries + i);
-        bits |= bits_of(hn::Le(entry, exit)) << i;
+        const BoxesMet step = meet_step(node, i, ray, reach);
+        hn::Store(hn::BitCast(w, step.entry), w, entries + i);
+        bits |= bits_of(step.is_met) << i;
     }
     return bits;
 }
@@ -236,13 +265,21 @@ HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const W
     return met & bits;
 }
 
+/// Returns which lanes of a step hold a primitive, a bit each, and counts them as tested.
+HWY_INLINE std::uint32_t lanes_there(const std::uint32_t* ids, Walk& walk) {
+    const Words w;
+    const auto is_there = hn::Ne(hn::Load(w, ids), hn::Set(w, kNoLane));
+    const std::uint32_t there = bits_of(hn::RebindMask(Floats(), is_there));
+    walk.primitive_tests += hwy::PopCount(there);
+    return there;
+}
+
 /// Returns which triangles of a block the ray may meet between `lo` and `reach`, a bit each: those
 /// whose areas have no two signs (and maybe such as have one that is not a number), and in whose
 /// box it is.
 HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearRay& ray, Walk& walk,
                                         BlockFinds& finds) {
     const Floats d;
-    const Words w;
     const FloatVec zero = hn::Zero(d);
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
@@ -255,10 +292,7 @@ HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearR
         const FloatVec least = hn::Min(hn::Min(area_a, area_b), area_c);
         const FloatVec most = hn::Max(hn::Max(area_a, area_b), area_c);
         const auto has_two_signs = hn::And(hn::Lt(least, zero), hn::Gt(most, zero));
-        const auto is_there =
-            hn::RebindMask(d, hn::Ne(hn::Load(w, block.ids + i), hn::Set(w, kNoLane)));
-        const std::uint32_t there = bits_of(is_there);
-        walk.primitive_tests += hwy::PopCount(there);
+        const std::uint32_t there = lanes_there(block.ids + i, walk);
         bits |= (there & ~bits_of(has_two_signs)) << i;
         hn::Store(area_a, d, finds.area_a + i);
         hn::Store(area_b, d, finds.area_b + i);
@@ -271,7 +305,6 @@ HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearR
 /// missed that sphere.h finds, as the spheres are taken larger by all that float loses.
 HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, Walk& walk) {
     const Floats d;
-    const Words w;
     constexpr float kSlack = 0x1p-19f;
     constexpr float kLeast = 0x1p-126f;
     const SphereRay& ray = walk.sphere_ray;
@@ -305,10 +338,7 @@ HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, Walk& walk) {
         const auto is_missed = hn::Or(
             hn::Gt(across, limit),
             hn::Or(hn::Gt(entry, hn::Set(d, walk.reach)), hn::Lt(exit, hn::Set(d, walk.lo))));
-        const auto is_there =
-            hn::RebindMask(d, hn::Ne(hn::Load(w, block.ids + i), hn::Set(w, kNoLane)));
-        const std::uint32_t there = bits_of(is_there);
-        walk.primitive_tests += hwy::PopCount(there);
+        const std::uint32_t there = lanes_there(block.ids + i, walk);
         bits |= (there & ~bits_of(is_missed)) << i;
     }
     return bits;

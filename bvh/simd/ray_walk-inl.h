@@ -123,12 +123,7 @@ HWY_INLINE void push_met(BoxChild node, const BoxChild* children, const SlabRay&
                          FloatVec reach, BoxChild* HWY_RESTRICT& top) {
     const Words w;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
-        const std::size_t at = std::size_t{node} * (kNodeUnitBytes / sizeof(float)) + i;
-        const FloatVec entry = hn::Max(hn::Max(near_of(ray.x, at), near_of(ray.y, at)),
-                                       hn::Max(near_of(ray.z, at), ray.lo));
-        const FloatVec exit = hn::Min(hn::Min(far_of(ray.x, at), far_of(ray.y, at)),
-                                      hn::Min(far_of(ray.z, at), reach));
-        const auto is_met = hn::RebindMask(w, hn::Le(entry, exit));
+        const auto is_met = hn::RebindMask(w, meet_step(node, i, ray, reach).is_met);
         hn::StoreU(hn::Compress(hn::Load(w, children + i), is_met), w, top);
         top += hn::CountTrue(w, is_met);
     }

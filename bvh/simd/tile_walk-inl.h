@@ -89,21 +89,15 @@ HWY_INLINE FloatVec far_of(const TileAxis& axis, const float* planes) {
 /// do not all run to the same side.
 HWY_INLINE bool prepare_axis(Tile& tile, std::size_t axis, std::uint32_t count) {
     const RayFloats d;
-    const auto most = hn::Set(d, kMaxInverse);
     std::uint32_t negative_count = 0;
     for (std::uint32_t i = 0; i < count; i += kRayStep) {
-        const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Load(d, tile.dir[axis] + i));
-        const auto limited = hn::Max(hn::Min(inverse, most), hn::Neg(most));
-        const auto origin = hn::Load(d, tile.origin[axis] + i);
-        const auto slack = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, kOriginSlack)),
-                                   hn::Set(d, kLeastOriginSlack));
-        const auto ahead = hn::CopySign(slack, inverse);
-        hn::Store(limited, d, tile.inv_dir[axis] + i);
-        hn::Store(hn::Mul(limited, hn::Set(d, kExitFactor)), d, tile.inv_dir_far[axis] + i);
-        hn::Store(hn::Add(origin, ahead), d, tile.origin_near[axis] + i);
-        hn::Store(hn::Sub(origin, ahead), d, tile.origin_far[axis] + i);
+        const auto slabs = make_slabs(d, tile.origin[axis] + i, tile.dir[axis] + i);
+        hn::Store(slabs.origin_near, d, tile.origin_near[axis] + i);
+        hn::Store(slabs.origin_far, d, tile.origin_far[axis] + i);
+        hn::Store(slabs.inv_dir, d, tile.inv_dir[axis] + i);
+        hn::Store(slabs.inv_dir_far, d, tile.inv_dir_far[axis] + i);
         negative_count +=
-            static_cast<std::uint32_t>(hn::CountTrue(d, hn::Lt(limited, hn::Zero(d))));
+            static_cast<std::uint32_t>(hn::CountTrue(d, hn::Lt(slabs.inv_dir, hn::Zero(d))));
     }
     tile.near_side[axis] = negative_count != 0 ? 1 : 0;
     return negative_count == 0 || negative_count == count;

@@ -150,8 +150,7 @@ class SphereAccel final : public Accel {
                 hit.place = place;
                 if (!hit.is_none() && is_closer(hit, best)) best = hit;
             }
-            // Up to and including the best t: at equal t the lesser place and id win.
-            if (!best.is_none()) interval.hi = std::min(interval.hi, next_up(best.t));
+            interval = up_to(best, interval);
             return true;
         };
         for (const PrimitiveId plane : part.planes) meet(plane);

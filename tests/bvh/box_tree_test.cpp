@@ -21,21 +21,6 @@ namespace {
 using scene::PrimitiveId;
 using scene::PrimitiveKind;
 
-PrimitiveId id_of(std::uint32_t value) {
-    PrimitiveId id;
-    id.value = value;
-    return id;
-}
-
-Bounds child_box(const BoxNode& node, std::uint32_t lane) {
-    Bounds box;
-    for (int axis = 0; axis < 3; ++axis) {
-        box.min[axis] = node.planes[axis][0][lane];
-        box.max[axis] = node.planes[axis][1][lane];
-    }
-    return box;
-}
-
 /// The bounds of the triangle in a lane.
 Bounds lane_bounds(const TriangleBlock& block, std::uint32_t lane) {
     Bounds bounds;
@@ -89,7 +74,7 @@ class Checker {
         ++node_count_;
         bool is_over = false;
         for (std::uint32_t lane = 0; lane < kBoxWidth; ++lane) {
-            const Bounds inner = child_box(node, lane);
+            const Bounds inner = box_of(node, lane);
             if (inner.is_empty()) {
                 is_over = true;
                 EXPECT_EQ(inner.min, Vec3{kInfinity});
@@ -100,7 +85,7 @@ class Checker {
             EXPECT_TRUE(box == nullptr || box->contains(inner));
             visit(node.children[lane], &inner, depth + 1);
         }
-        EXPECT_FALSE(child_box(node, 1).is_empty()) << "a node with one child";
+        EXPECT_FALSE(box_of(node, 1).is_empty()) << "a node with one child";
     }
 
     void visit_triangles(BoxChild child, const Bounds* box) {
@@ -116,7 +101,7 @@ class Checker {
                     continue;
                 }
                 EXPECT_FALSE(is_over);
-                const PrimitiveId id = id_of(block.ids[lane]);
+                const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
                 EXPECT_TRUE(id.kind() == PrimitiveKind::triangle ||
                             id.kind() == PrimitiveKind::rectangle);
                 EXPECT_TRUE(primitive_bounds(geometry_, id).contains(lane_bounds(block, lane)));
@@ -136,7 +121,7 @@ class Checker {
                     continue;
                 }
                 EXPECT_FALSE(is_over);
-                const PrimitiveId id = id_of(block.ids[lane]);
+                const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
                 ASSERT_EQ(id.kind(), PrimitiveKind::sphere);
                 const scene::Sphere& sphere = geometry_.spheres[id.index()];
                 EXPECT_EQ(sphere.radius, block.radius[lane]);
@@ -151,8 +136,8 @@ class Checker {
     void visit_list(BoxChild child, const Bounds* box) {
         const std::uint32_t* const ids = tree_.view.list + leaf_first(child);
         for (std::uint32_t i = 0; i < leaf_count(child); ++i) {
-            const PrimitiveId id = id_of(ids[i]);
-            EXPECT_EQ(id.kind(), id_of(ids[0]).kind());
+            const PrimitiveId id = PrimitiveId::of_value(ids[i]);
+            EXPECT_EQ(id.kind(), PrimitiveId::of_value(ids[0]).kind());
             EXPECT_NE(id.kind(), PrimitiveKind::triangle);
             EXPECT_NE(id.kind(), PrimitiveKind::rectangle);
             EXPECT_NE(id.kind(), PrimitiveKind::sphere);

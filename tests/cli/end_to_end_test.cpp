@@ -1,27 +1,17 @@
 // The program as people run it: pictures, messages and exit codes.
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
-#include <thread>
 
 #include "base/diagnostic_codes.h"
 #include "cli/memory_limit.h"
 #include "image/compare.h"
-#include "image/read.h"
+#include "tests/cli/lray_test.h"
 #include "tests/support/json.h"
-#include "tests/support/process.h"
-#include "tests/support/temp_directory.h"
 
 namespace lray {
 namespace {
-
-constexpr const char* kScene =
-    "render { resolution: [64, 48] }\n"
-    "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n"
-    "sphere { radius: 1 }\n";
 
 constexpr const char* kWrongScene =
     "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n"
@@ -29,28 +19,7 @@ constexpr const char* kWrongScene =
 
 constexpr const char* kSceneWithoutCamera = "sphere { radius: 1 }\n";
 
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
-
-class EndToEnd : public testing::Test {
- protected:
-    /// Runs the program in the directory of the test.
-    test::ProcessResult run(std::vector<std::string> arguments, std::string_view input = {}) {
-        arguments.insert(arguments.begin(), LRAY_BINARY);
-        return test::run_process(arguments, input, directory_.path());
-    }
-
-    image::Image picture(std::string_view name) {
-        const std::string bytes = directory_.read(name);
-        std::string error;
-        auto image = image::read_image(std::as_bytes(std::span(bytes)), {}, error);
-        EXPECT_TRUE(image) << error;
-        return image.value_or(image::Image{});
-    }
-
-    test::TempDirectory directory_;
-};
+class EndToEnd : public LrayTest {};
 
 TEST_F(EndToEnd, LevelOneWritesAFlatPicture) {
     directory_.write("scene.lrs", kScene);
@@ -444,71 +413,6 @@ TEST_F(EndToEnd, StatsGoToStderr) {
         EXPECT_EQ(json["hierarchy"]["kind"].string, accel);
         EXPECT_EQ(json["rays"]["primary"]["count"].number, 3072.0);
     }
-}
-
-/// A picture that takes minutes without a hierarchy, and the program at work on it.
-class Interrupted : public EndToEnd {
- protected:
-    void start() {
-        begin(20'000, "none");
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    }
-
-    /// Returns when the hierarchy is about to be built.
-    void begin(int sphere_count, const std::string& accel) {
-        std::string scene = kScene;
-        for (int i = 0; i < sphere_count; ++i) {
-            scene += "sphere { radius: 0.5, center: [0, 0, -" + std::to_string(i) + "] }\n";
-        }
-        directory_.write("scene.lrs", scene);
-        directory_.write("image.png", "old");
-        process_.emplace(
-            std::vector<std::string>{LRAY_BINARY, "-n", "1", "--accel", accel, "--threads", "1",
-                                     "scene.lrs", "-o", "image.png", "--size", "2000x2000"},
-            std::string_view{}, directory_.path());
-        // Then the output is opened: a temporary file appears beside it.
-        for (int i = 0; i < 6000 && directory_.names().size() < 3; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        ASSERT_GE(directory_.names().size(), 3u) << "the render did not begin";
-    }
-
-    void expect_partial_picture(const test::ProcessResult& result) {
-        EXPECT_TRUE(contains(result.err, "image.partial.png")) << result.err;
-        EXPECT_TRUE(contains(result.err, "without a hierarchy")) << result.err;
-        EXPECT_EQ(directory_.read("image.png"), "old");
-        EXPECT_EQ(directory_.names(),
-                  (std::vector<std::string>{"image.partial.png", "image.png", "scene.lrs"}));
-        EXPECT_EQ(picture("image.partial.png").width, 2000u);
-    }
-
-    std::optional<test::Process> process_;
-};
-
-TEST_F(Interrupted, ControlCWritesWhatThereIsAndExits130) {
-    start();
-    process_->send_signal(SIGINT);
-    const auto result = process_->wait();
-    EXPECT_EQ(result.exit_code, 130);
-    expect_partial_picture(result);
-}
-
-TEST_F(Interrupted, WhileTheHierarchyIsBuiltThereIsNothingToWrite) {
-    begin(200'000, "spheres");
-    process_->send_signal(SIGINT);
-    const auto result = process_->wait();
-    EXPECT_EQ(result.exit_code, 130);
-    EXPECT_TRUE(contains(result.err, "lray: interrupted; nothing was written")) << result.err;
-    EXPECT_EQ(directory_.read("image.png"), "old");
-    EXPECT_EQ(directory_.names(), (std::vector<std::string>{"image.png", "scene.lrs"}));
-}
-
-TEST_F(Interrupted, TerminationWritesWhatThereIsAndExits143) {
-    start();
-    process_->send_signal(SIGTERM);
-    const auto result = process_->wait();
-    EXPECT_EQ(result.exit_code, 143);
-    expect_partial_picture(result);
 }
 
 }  // namespace

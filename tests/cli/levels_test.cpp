@@ -5,30 +5,17 @@
 #include <filesystem>
 #include <set>
 
-#include "image/read.h"
+#include "tests/cli/lray_test.h"
 #include "tests/support/json.h"
-#include "tests/support/process.h"
-#include "tests/support/temp_directory.h"
 
 namespace lray {
 namespace {
 
-constexpr const char* kScene =
-    "render { resolution: [64, 48] }\n"
-    "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n"
-    "sphere { radius: 1 }\n";
-
 /// A scene of all kinds: quadrics, meshes, instances.
 const std::string kStillLife = std::string(LRAY_SOURCE_DIR) + "/examples/still_life.lrs";
 
-class Levels : public testing::Test {
+class Levels : public LrayTest {
  protected:
-    /// Runs the program in the directory of the test.
-    test::ProcessResult run(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), LRAY_BINARY);
-        return test::run_process(arguments, {}, directory_.path());
-    }
-
     /// Renders an example small; returns how it went, the picture on stdout.
     test::ProcessResult run_example(const std::string& name, std::vector<std::string> options) {
         std::vector<std::string> arguments{
@@ -53,16 +40,6 @@ class Levels : public testing::Test {
     std::string picture_of(const std::string& name, std::vector<std::string> options) {
         return run_example(name, std::move(options)).out;
     }
-
-    image::Image picture(std::string_view name) {
-        const std::string bytes = directory_.read(name);
-        std::string error;
-        auto image = image::read_image(std::as_bytes(std::span(bytes)), {}, error);
-        EXPECT_TRUE(image) << error;
-        return image.value_or(image::Image{});
-    }
-
-    test::TempDirectory directory_;
 };
 
 TEST_F(Levels, LevelTwoSmoothsEdges) {

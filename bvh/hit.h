@@ -25,10 +25,14 @@ struct Hit {
 /// The rule for ties: the lesser t wins, at equal t the lesser place, there the lesser primitive
 /// id. It does not depend on the order in which primitives are tested, so every hierarchy finds the
 /// same hit.
+inline bool is_closer(float t, scene::PlaceOffset place, scene::PrimitiveId id, const Hit& than) {
+    if (t != than.t) return t < than.t;
+    if (place != than.place) return place < than.place;
+    return id < than.primitive_id;
+}
+
 inline bool is_closer(const Hit& a, const Hit& b) {
-    if (a.t != b.t) return a.t < b.t;
-    if (a.place != b.place) return a.place < b.place;
-    return a.primitive_id < b.primitive_id;
+    return is_closer(a.t, a.place, a.primitive_id, b);
 }
 
 /// Returns what of an interval may still hold a closer hit: up to and including the best t, where

@@ -51,12 +51,12 @@ inline void prepare_floats(FloatRay& ray) {
                                                        : inverse;
         const float origin = ray.origin_float[axis];
         const float slack = std::fabs(origin) * kOriginSlack + kLeastOriginSlack;
-        const float ahead = std::copysign(slack, inverse);
+        const float ahead = std::copysign(slack, ray.dir_float[axis]);
         ray.inv_dir[axis] = limited;
         ray.inv_dir_far[axis] = limited * kExitFactor;
         ray.origin_near[axis] = origin + ahead;
         ray.origin_far[axis] = origin - ahead;
-        ray.near_side[axis] = std::signbit(inverse) ? 1 : 0;
+        ray.near_side[axis] = std::signbit(ray.dir_float[axis]) ? 1 : 0;
     }
     const float x = std::fabs(ray.dir_float[0]);
     const float y = std::fabs(ray.dir_float[1]);

@@ -64,7 +64,7 @@ struct BoxTreeView {
     bool is_empty = true;
     const BoxNode* nodes = nullptr;
     const TriangleBlock* triangles = nullptr;
-    const SphereBlock* spheres = nullptr;
+    const SphereBlock* spheres = nullptr;  // null: there are none
     const std::uint32_t* list = nullptr;  // values of PrimitiveId; a leaf lists one kind only
 };
 

@@ -169,7 +169,8 @@ BoxTree fill_tree(const scene::Geometry& geometry, std::span<const BuildRef> ref
     const Arrays arrays = arrays_in(tree.arena, counts);
     tbb::parallel_for(std::size_t{0}, placed.size(),
                       [&](std::size_t i) { write_part(placed[i], arrays, geometry, refs); });
-    tree.view = {root, false, arrays.nodes, arrays.triangles, arrays.spheres, arrays.list};
+    SphereBlock* const spheres = counts.sphere_blocks > 0 ? arrays.spheres : nullptr;
+    tree.view = {root, false, arrays.nodes, arrays.triangles, spheres, arrays.list};
     for (const PlacedPart& some : placed) {
         tree.stats.leaves += some.part->leaves.size();
         tree.stats.references += some.part->ref_count;

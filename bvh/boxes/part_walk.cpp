@@ -47,16 +47,13 @@ Hit meet(const PartWalk& walk, const SphereBlock& block, std::uint32_t lane) {
     return {hit.t, hit.u, hit.v, PrimitiveId::of_value(block.ids[lane]), walk.place, hit.normal};
 }
 
-/// What was found is what intersect_triangle() would work out again.
-Hit finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
-           const TriangleFind& find) {
-    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
-    if (id.kind() != PrimitiveKind::triangle) return meet(walk, id);
-    const KernelHit hit =
-        finish_triangle(corner_of(block, 0, lane), corner_of(block, 1, lane),
-                        corner_of(block, 2, lane), {find.area_a, find.area_b, find.area_c},
-                        {find.entry, find.exit}, *walk.prepared, walk.interval);
-    return {hit.t, hit.u, hit.v, hit.is_none() ? PrimitiveId{} : id, walk.place, hit.normal};
+/// What was found is what intersect_triangle() would work out again. Not for halves of rectangles.
+bool finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
+            const TriangleFinds& finds, KernelHit& hit) {
+    const EdgeAreas<float> areas{finds.area_a[lane], finds.area_b[lane], finds.area_c[lane]};
+    return finish_triangle(corner_of(block, 0, lane), corner_of(block, 1, lane),
+                           corner_of(block, 2, lane), areas, {finds.entry[lane], finds.exit[lane]},
+                           *walk.prepared, walk.interval, hit);
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
@@ -81,9 +78,17 @@ bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
 }
 
 Met nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                     const TriangleFind& find) {
+                     const TriangleFinds& finds) {
     auto& self = static_cast<PartWalk&>(walk);
-    return self.keep(finish(self, block, lane, find)) ? Met::nearer_hit : Met::nothing;
+    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
+    bool is_kept = false;
+    if (id.kind() == PrimitiveKind::triangle) {
+        KernelHit hit;
+        is_kept = finish(self, block, lane, finds, hit) && self.keep(hit, id);
+    } else {
+        is_kept = self.keep(meet(self, id));
+    }
+    return is_kept ? Met::nearer_hit : Met::nothing;
 }
 
 Met nearest_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
@@ -107,10 +112,13 @@ Met nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
 }
 
 Met any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                 const TriangleFind& find) {
+                 const TriangleFinds& finds) {
     const auto& self = static_cast<const PartWalk&>(walk);
-    const bool is_hit = self.casts_shadow(PrimitiveId::of_value(block.ids[lane])) &&
-                        !finish(self, block, lane, find).is_none();
+    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
+    if (!self.casts_shadow(id)) return Met::nothing;
+    KernelHit hit;
+    const bool is_hit = id.kind() == PrimitiveKind::triangle ? finish(self, block, lane, finds, hit)
+                                                             : !meet(self, id).is_none();
     return is_hit ? Met::end : Met::nothing;
 }
 
@@ -182,6 +190,21 @@ bool PartWalk::meets_plane() {
 bool PartWalk::keep(const Hit& hit) {
     if (hit.is_none() || !is_closer(hit, *best)) return false;
     *best = hit;
+    narrow();
+    return true;
+}
+
+bool PartWalk::keep(const KernelHit& hit, PrimitiveId id) {
+    if (!is_closer(hit.t, place, id, *best)) return false;
+    // One by one: copied as one what was just written would wait until it is in the cache.
+    best->t = hit.t;
+    best->u = hit.u;
+    best->v = hit.v;
+    best->primitive_id = id;
+    best->place = place;
+    best->normal.x = hit.normal.x;
+    best->normal.y = hit.normal.y;
+    best->normal.z = hit.normal.z;
     narrow();
     return true;
 }

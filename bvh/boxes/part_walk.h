@@ -6,6 +6,7 @@
 
 #include "bvh/accel.h"
 #include "bvh/boxes/box_tree.h"
+#include "bvh/kernels/kernel_hit.h"
 #include "bvh/prepared_ray.h"
 #include "bvh/simd/walk.h"
 
@@ -64,6 +65,7 @@ struct PartWalk : Walk {
 
     /// Keeps a hit if it is the best; then nothing farther counts. Returns whether it did.
     bool keep(const Hit& hit);
+    bool keep(const KernelHit& hit, scene::PrimitiveId id);
 
     /// Leaves of the interval what may hold a closer hit than the best.
     void narrow();

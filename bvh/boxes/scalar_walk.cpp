@@ -19,6 +19,7 @@ struct Waiting {
 
 bool meet_triangles(const TriangleBlock& block, Walk& walk) {
     const FloatRay& ray = *walk.ray;
+    TriangleFinds finds;
     for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
         ++walk.primitive_tests;
         const Vec3 a = corner_of(block, 0, lane);
@@ -28,8 +29,12 @@ bool meet_triangles(const TriangleBlock& block, Walk& walk) {
         if (areas.have_two_signs()) continue;
         const Stretch stretch = triangle_stretch(a, b, c, ray);
         if (!(stretch.entry <= stretch.exit) || !stretch.overlaps(walk.lo, walk.reach)) continue;
-        const TriangleFind find{areas.a, areas.b, areas.c, stretch.entry, stretch.exit};
-        if (walk.calls->meet_triangle(walk, block, lane, find) == Met::end) return true;
+        finds.area_a[lane] = areas.a;
+        finds.area_b[lane] = areas.b;
+        finds.area_c[lane] = areas.c;
+        finds.entry[lane] = stretch.entry;
+        finds.exit[lane] = stretch.exit;
+        if (walk.calls->meet_triangle(walk, block, lane, finds) == Met::end) return true;
     }
     return false;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "bvh/kernels/kernel_hit.h"
 #include "bvh/prepared_ray.h"
@@ -138,39 +139,49 @@ inline double triangle_hit_t(Vec3 a, Vec3 b, Vec3 c, const TrianglePlane& plane,
     return triangle_t(a, plane, stretch, ray);
 }
 
-/// Returns the hit of a triangle whose areas do not have two signs and in whose box the ray is for
-/// a stretch: intersect_triangle()'s second half.
-inline KernelHit finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>& areas,
-                                 const Stretch& stretch, const PreparedRay& ray,
-                                 Interval interval) {
+/// Returns the barycentric coordinates of the hit of b and c, worked out in double. None if the
+/// areas have two signs or are 0.
+inline std::optional<Vec2> exact_barycentric(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
+    const auto areas = edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
+    const double sum = areas.a + areas.b + areas.c;
+    if (areas.have_two_signs() || !(sum != 0.0)) return std::nullopt;
+    return Vec2{static_cast<float>(areas.b / sum), static_cast<float>(areas.c / sum)};
+}
+
+/// Finds the hit of a triangle whose areas do not have two signs and in whose box the ray is for a
+/// stretch: intersect_triangle()'s second half. Returns false if there is none.
+inline bool finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>& areas,
+                            const Stretch& stretch, const PreparedRay& ray, Interval interval,
+                            KernelHit& hit) {
     const float sum = areas.a + areas.b + areas.c;
     const float magnitude = std::fabs(sum);
-    EdgeAreas<double> exact;
-    double exact_sum = 0.0;
-    const bool is_inexact =
-        areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
-        !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity);
-    if (is_inexact) {
-        exact = edge_areas<double>(sheared(a, ray), sheared(b, ray), sheared(c, ray));
-        if (exact.have_two_signs()) return {};
-        exact_sum = exact.a + exact.b + exact.c;
-        if (!(exact_sum != 0.0)) return {};
+    float u = areas.b / sum;
+    float v = areas.c / sum;
+    if (areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
+        !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity)) [[unlikely]] {
+        const std::optional<Vec2> exact = exact_barycentric(a, b, c, ray);
+        if (!exact) return false;
+        u = exact->x;
+        v = exact->y;
     }
     const TrianglePlane plane(a, b, c);
     auto t = static_cast<float>(triangle_t(a, plane, stretch, ray));
     // A ray that leaves the triangle has its plane behind it, though maybe not the point that it
     // grazes.
-    if (!(t > interval.lo)) return {};
+    if (!(t > interval.lo)) return false;
     if (is_grazing(plane, ray)) {
         const Stretch here = grazing_stretch(a, b, c, ray);
-        if (!(here.entry <= here.exit)) return {};
+        if (!(here.entry <= here.exit)) return false;
         t = static_cast<float>(triangle_t(a, plane, here, ray));
     }
-    if (!interval.contains(t)) return {};
-    const Vec3 normal{plane.normal};
-    if (!is_inexact) return {t, areas.b / sum, areas.c / sum, normal};
-    return {t, static_cast<float>(exact.b / exact_sum), static_cast<float>(exact.c / exact_sum),
-            normal};
+    if (!interval.contains(t)) return false;
+    hit.t = t;
+    hit.u = u;
+    hit.v = v;
+    hit.normal.x = static_cast<float>(plane.normal.x);
+    hit.normal.y = static_cast<float>(plane.normal.y);
+    hit.normal.z = static_cast<float>(plane.normal.z);
+    return true;
 }
 
 /// Returns the hit on either side of the triangle; u and v are the barycentric coordinates of b
@@ -190,7 +201,9 @@ inline KernelHit intersect_triangle(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& r
     // triangle than to the other.
     const Stretch stretch = triangle_stretch(a, b, c, ray);
     if (!(stretch.entry <= stretch.exit)) return {};
-    return finish_triangle(a, b, c, areas, stretch, ray, interval);
+    KernelHit hit;
+    finish_triangle(a, b, c, areas, stretch, ray, interval, hit);
+    return hit;
 }
 
 }  // namespace lray::bvh

@@ -48,44 +48,54 @@ struct Slabs {
     hn::Vec<D> inv_dir_far;
 };
 
-template <class D>
-HWY_INLINE Slabs<D> make_slabs(D d, const float* origins, const float* dirs) {
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Slabs<D> make_slabs(D d, V origin, V dir) {
     const auto most = hn::Set(d, kMaxInverse);
-    const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::Load(d, dirs));
+    const auto inverse = hn::Div(hn::Set(d, 1.0f), dir);
     const auto limited = hn::Max(hn::Min(inverse, most), hn::Neg(most));
-    const auto origin = hn::Load(d, origins);
     const auto slack =
         hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, kOriginSlack)), hn::Set(d, kLeastOriginSlack));
-    const auto ahead = hn::CopySign(slack, inverse);
+    const auto ahead = hn::CopySign(slack, dir);
     return {hn::Add(origin, ahead), hn::Sub(origin, ahead), limited,
             hn::Mul(limited, hn::Set(d, kExitFactor))};
 }
 
-/// prepare_floats() of prepared_ray.h.
+using FourFloats = hn::FixedTag<float, 4>;
+
+/// Reads floats that were written one by one just before: reading them as one would wait until they
+/// are in the cache.
+HWY_INLINE hn::Vec<FourFloats> load_written(const float* from) {
+    const FourFloats d;
+    const auto low = hn::InterleaveLower(d, hn::Set(d, from[0]), hn::Set(d, from[1]));
+    const auto high = hn::InterleaveLower(d, hn::Set(d, from[2]), hn::Set(d, from[3]));
+    return hn::ConcatLowerLower(d, high, low);
+}
+
+/// Which axes a ray takes for x, y and z: [is z the fastest][is y faster than x].
+inline constexpr std::uint32_t kAxes[2][2][4] = {{{1, 2, 0, 0}, {2, 0, 1, 0}},
+                                                 {{0, 1, 2, 0}, {0, 1, 2, 0}}};
+
+/// prepare_floats() of prepared_ray.h, without branches: rays after each other may run anywhere.
 HWY_INLINE void prepare_ray(FloatRay& ray) {
-    const hn::CappedTag<float, 4> d;
-    const hn::RebindToUnsigned<decltype(d)> w;
-    for (std::size_t i = 0; i < 4; i += hn::MaxLanes(d)) {
-        const auto slabs = make_slabs(d, ray.origin_float + i, ray.dir_float + i);
-        hn::Store(slabs.origin_near, d, ray.origin_near + i);
-        hn::Store(slabs.origin_far, d, ray.origin_far + i);
-        hn::Store(slabs.inv_dir, d, ray.inv_dir + i);
-        hn::Store(slabs.inv_dir_far, d, ray.inv_dir_far + i);
-        hn::Store(hn::ShiftRight<31>(hn::BitCast(w, slabs.inv_dir)), w, ray.near_side + i);
-    }
-    // Without branches: rays after each other may run anywhere.
-    const float x = ray.dir_float[0] < 0.0f ? -ray.dir_float[0] : ray.dir_float[0];
-    const float y = ray.dir_float[1] < 0.0f ? -ray.dir_float[1] : ray.dir_float[1];
-    const float z = ray.dir_float[2] < 0.0f ? -ray.dir_float[2] : ray.dir_float[2];
-    const std::uint32_t x_or_y = x > y ? 0 : 1;
-    const std::uint32_t fastest = (x > y ? x : y) > z ? x_or_y : 2;
-    const std::uint32_t next = fastest == 2 ? 0 : fastest + 1;
-    const std::uint32_t last = next == 2 ? 0 : next + 1;
-    ray.axes[0] = next;
-    ray.axes[1] = last;
-    ray.axes[2] = fastest;
-    ray.shear_x = ray.dir_float[next] / ray.dir_float[fastest];
-    ray.shear_y = ray.dir_float[last] / ray.dir_float[fastest];
+    const FourFloats d;
+    const hn::RebindToUnsigned<FourFloats> w;
+    const auto dir = load_written(ray.dir_float);
+    const auto slabs = make_slabs(d, load_written(ray.origin_float), dir);
+    hn::Store(slabs.origin_near, d, ray.origin_near);
+    hn::Store(slabs.origin_far, d, ray.origin_far);
+    hn::Store(slabs.inv_dir, d, ray.inv_dir);
+    hn::Store(slabs.inv_dir_far, d, ray.inv_dir_far);
+    hn::Store(hn::ShiftRight<31>(hn::BitCast(w, dir)), w, ray.near_side);
+
+    alignas(16) float speed[4];
+    hn::Store(hn::Abs(dir), d, speed);
+    const bool is_y_faster = !(speed[0] > speed[1]);
+    const float x_or_y = speed[0] > speed[1] ? speed[0] : speed[1];
+    const std::uint32_t* const axes = kAxes[x_or_y > speed[2] ? 0 : 1][is_y_faster ? 1 : 0];
+    hwy::CopyBytes<sizeof(ray.axes)>(axes, ray.axes);
+    const float fastest = ray.dir_float[axes[2]];
+    ray.shear_x = ray.dir_float[axes[0]] / fastest;
+    ray.shear_y = ray.dir_float[axes[1]] / fastest;
 }
 
 /// One axis of a ray, for slabs, and where the planes that it passes first and last lie in the
@@ -106,6 +116,14 @@ struct SlabRay {
     FloatVec lo;
 };
 
+/// The pointer itself, which compilers would put together from its parts again after each leaf.
+HWY_INLINE const float* kept_whole(const float* pointer) {
+#if HWY_COMPILER_GCC || HWY_COMPILER_CLANG
+    asm("" : "+r"(pointer));
+#endif
+    return pointer;
+}
+
 HWY_INLINE SlabAxis make_slab_axis(const FloatRay& ray, const BoxNode* nodes, std::size_t axis) {
     const Floats d;
     const std::size_t near_side = ray.near_side[axis];
@@ -115,8 +133,8 @@ HWY_INLINE SlabAxis make_slab_axis(const FloatRay& ray, const BoxNode* nodes, st
     result.inv_dir = hn::Set(d, ray.inv_dir[axis]);
     result.inv_dir_far = hn::Set(d, ray.inv_dir_far[axis]);
     const float* const planes = reinterpret_cast<const float*>(nodes) + axis * 2 * kBoxWidth;
-    result.near_planes = planes + near_side * kBoxWidth;
-    result.far_planes = planes + (1 - near_side) * kBoxWidth;
+    result.near_planes = kept_whole(planes + near_side * kBoxWidth);
+    result.far_planes = kept_whole(planes + (1 - near_side) * kBoxWidth);
     return result;
 }
 
@@ -224,19 +242,10 @@ HWY_INLINE FloatVec most_corner(const TriangleBlock& block, std::size_t axis, st
                    hn::Load(d, block.corners[2][axis] + lane));
 }
 
-/// What TriangleFind holds, by lane.
-struct alignas(32) BlockFinds {
-    float area_a[kBoxWidth];
-    float area_b[kBoxWidth];
-    float area_c[kBoxWidth];
-    float entry[kBoxWidth];
-    float exit[kBoxWidth];
-};
-
 /// Of the lanes of `bits` returns those in whose triangle's box the ray is somewhere between `lo`
 /// and `reach`.
 HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const Walk& walk,
-                                             std::uint32_t bits, BlockFinds& finds) {
+                                             std::uint32_t bits, TriangleFinds& finds) {
     const Floats d;
     const FloatRay& ray = *walk.ray;
     std::uint32_t met = 0;
@@ -246,11 +255,11 @@ HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const W
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const FloatVec least = least_corner(block, axis, i);
             const FloatVec most = most_corner(block, axis, i);
-            const bool is_upper_near = ray.near_side[axis] != 0;
-            const FloatVec near = is_upper_near ? most : least;
-            const FloatVec far = is_upper_near ? least : most;
-            const FloatVec near_t = hn::Mul(hn::Sub(near, hn::Set(d, ray.origin_near[axis])),
-                                            hn::Set(d, ray.inv_dir[axis]));
+            const FloatVec inv_dir = hn::Set(d, ray.inv_dir[axis]);
+            const FloatVec near = hn::IfNegativeThenElse(inv_dir, most, least);
+            const FloatVec far = hn::IfNegativeThenElse(inv_dir, least, most);
+            const FloatVec near_t =
+                hn::Mul(hn::Sub(near, hn::Set(d, ray.origin_near[axis])), inv_dir);
             const FloatVec far_t = hn::Mul(hn::Sub(far, hn::Set(d, ray.origin_far[axis])),
                                            hn::Set(d, ray.inv_dir_far[axis]));
             entry = axis == 0 ? near_t : hn::Max(entry, near_t);
@@ -278,7 +287,7 @@ HWY_INLINE std::uint32_t lanes_there(const std::uint32_t* ids, Walk& walk) {
 /// whose areas have no two signs (and maybe such as have one that is not a number), and in whose
 /// box it is.
 HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearRay& ray, Walk& walk,
-                                        BlockFinds& finds) {
+                                        TriangleFinds& finds) {
     const Floats d;
     const FloatVec zero = hn::Zero(d);
     std::uint32_t bits = 0;

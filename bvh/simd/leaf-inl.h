@@ -31,14 +31,12 @@ HWY_INLINE float meet_triangle_leaf(const TriangleBlock* block, const TriangleBl
                                     const ShearRay& shear_ray, Walk& walk) {
     float bound = kNoBound;
     for (; block != end; ++block) {
-        BlockFinds finds;
+        TriangleFinds finds;
         std::uint32_t bits = meet_triangles(*block, shear_ray, walk, finds);
         while (bits != 0) {
             const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
             bits &= bits - 1;
-            const TriangleFind find = {finds.area_a[lane], finds.area_b[lane], finds.area_c[lane],
-                                       finds.entry[lane], finds.exit[lane]};
-            const Met met = walk.calls->meet_triangle(walk, *block, lane, find);
+            const Met met = walk.calls->meet_triangle(walk, *block, lane, finds);
             if (met == Met::nothing) continue;
             if (met == Met::end) return kEnded;
             const float at_most = bound_of(finds.exit[lane]);

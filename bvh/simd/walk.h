@@ -21,14 +21,14 @@ struct SphereRay {
     float origin_error;  // of the distance of anything from the origin
 };
 
-/// A triangle that the ray may meet: twice the signed areas opposite its corners, and the stretch
-/// of the ray in its box.
-struct TriangleFind {
-    float area_a;
-    float area_b;
-    float area_c;
-    float entry;
-    float exit;
+/// Of triangles that the ray may meet, by lane of their block: twice the signed areas opposite their
+/// corners, and the stretch of the ray in their boxes.
+struct alignas(32) TriangleFinds {
+    float area_a[kBoxWidth];
+    float area_b[kBoxWidth];
+    float area_c[kBoxWidth];
+    float entry[kBoxWidth];
+    float exit[kBoxWidth];
 };
 
 struct Walk;
@@ -39,7 +39,7 @@ enum class Met : std::uint8_t { nothing, nearer_hit, end };
 /// What a walk tells of what the ray may meet. A nearer hit lowers Walk::reach.
 struct WalkCalls {
     Met (*meet_triangle)(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
-                         const TriangleFind& find);
+                         const TriangleFinds& finds);
     Met (*meet_sphere)(Walk& walk, const SphereBlock& block, std::uint32_t lane);
     Met (*meet_listed)(Walk& walk, const std::uint32_t* ids, std::uint32_t count);
 };

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <array>
+#include <new>
 
 #include "bench/trace_side.h"
 
@@ -36,47 +36,46 @@ void LraySide::trace() {
 
 void LraySide::trace(std::size_t first, std::size_t count) {
     bvh::TraceCounts counts;
-    const std::span rays = std::span(rays_->rays).subspan(first, count);
-    const std::span intervals = std::span(rays_->intervals).subspan(first, count);
-    if (!is_batched_ && rays_->is_any_hit) {
-        for (std::size_t i = 0; i < count; ++i) {
-            are_hit_[first + i] = accel_->any_hit(rays[i], intervals[i], counts);
-        }
-        return;
+    if (is_batched_) {
+        trace_batches(first, count, counts);
+    } else {
+        trace_singly(first, count, counts);
     }
-    if (!is_batched_) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const bvh::Hit hit = accel_->nearest_hit(rays[i], intervals[i], counts);
-            hits_[first + i] = {hit, normal_at(rays[i], hit)};
-        }
-        return;
-    }
-    std::array<bvh::Hit, kTileRays> found{};
-    for (std::size_t i = 0; i < count; i += kTileRays) {
-        const std::size_t size = std::min(kTileRays, count - i);
-        const std::span batch = rays.subspan(i, size);
-        const std::span batch_intervals = intervals.subspan(i, size);
+    if (!rays_->is_any_hit && !world_.spheres.empty()) add_normals(first, count);
+}
+
+void LraySide::trace_singly(std::size_t first, std::size_t count, bvh::TraceCounts& counts) {
+    for (std::size_t i = first; i < first + count; ++i) {
+        const Ray& ray = rays_->rays[i];
+        const Interval interval = rays_->intervals[i];
         if (rays_->is_any_hit) {
-            const std::span are_hit(are_hit_.get() + first + i, size);
-            accel_->any_hits(batch, batch_intervals, are_hit, counts);
-            continue;
-        }
-        const std::span hits = std::span(found).first(size);
-        accel_->nearest_hits(batch, batch_intervals, hits, counts);
-        for (std::size_t k = 0; k < size; ++k) {
-            hits_[first + i + k] = {hits[k], normal_at(batch[k], hits[k])};
+            are_hit_[i] = accel_->any_hit(ray, interval, counts);
+        } else {
+            new (&hits_[i]) bvh::Hit(accel_->nearest_hit(ray, interval, counts));
         }
     }
 }
 
-/// The normal is a part of Embree's hit: what it costs is counted on both sides.
-Vec3 LraySide::normal_at(const Ray& ray, const bvh::Hit& hit) const {
-    if (hit.is_none()) return Vec3{0.0f};
-    const std::size_t index = hit.primitive_id.index();
-    if (hit.primitive_id.kind() == scene::PrimitiveKind::sphere) {
-        return ray.origin + hit.t * ray.dir - world_.spheres[index].center;
+void LraySide::trace_batches(std::size_t first, std::size_t count, bvh::TraceCounts& counts) {
+    for (std::size_t i = first; i < first + count; i += kTileRays) {
+        const std::size_t size = std::min(kTileRays, first + count - i);
+        const std::span rays = std::span(rays_->rays).subspan(i, size);
+        const std::span intervals = std::span(rays_->intervals).subspan(i, size);
+        if (rays_->is_any_hit) {
+            accel_->any_hits(rays, intervals, std::span(are_hit_.get() + i, size), counts);
+        } else {
+            accel_->nearest_hits(rays, intervals, std::span(hits_).subspan(i, size), counts);
+        }
     }
-    return hit.normal;
+}
+
+void LraySide::add_normals(std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i < first + count; ++i) {
+        bvh::Hit& hit = hits_[i];
+        if (hit.primitive_id.kind() != scene::PrimitiveKind::sphere || hit.is_none()) continue;
+        const Ray& ray = rays_->rays[i];
+        hit.normal = ray.origin + hit.t * ray.dir - world_.spheres[hit.primitive_id.index()].center;
+    }
 }
 
 std::vector<float> LraySide::distances() const {
@@ -85,7 +84,7 @@ std::vector<float> LraySide::distances() const {
         if (rays_->is_any_hit) {
             result[i] = are_hit_[i] ? 0.0f : kInfinity;
         } else {
-            result[i] = hits_[i].hit.t;
+            result[i] = hits_[i].t;
         }
     }
     return result;

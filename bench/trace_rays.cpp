@@ -26,12 +26,12 @@ struct Departure {
     DVec3 normal{};  // unit, on the side of the ray that came
 };
 
-std::optional<Departure> departure(const Ray& ray, const FullHit& found) {
-    if (found.hit.is_none()) return std::nullopt;
+std::optional<Departure> departure(const Ray& ray, const bvh::Hit& found) {
+    if (found.is_none()) return std::nullopt;
     const DVec3 dir{ray.dir};
     DVec3 normal = glm::normalize(DVec3{found.normal});
     if (dot(normal, dir) > 0.0) normal = -normal;
-    const DVec3 p = DVec3{ray.origin} + static_cast<double>(found.hit.t) * dir;
+    const DVec3 p = DVec3{ray.origin} + static_cast<double>(found.t) * dir;
     const double reach = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     return Departure{p + kOffset * reach * normal, normal};
 }
@@ -63,7 +63,7 @@ RaySet primary_rays(const TraceScene& scene, int width) {
     return result;
 }
 
-RaySet shadow_rays(const TraceScene& scene, const RaySet& primary, std::span<const FullHit> hits) {
+RaySet shadow_rays(const TraceScene& scene, const RaySet& primary, std::span<const bvh::Hit> hits) {
     RaySet result{"shadow", true, {}, {}};
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const auto from = departure(primary.rays[i], hits[i]);
@@ -76,7 +76,7 @@ RaySet shadow_rays(const TraceScene& scene, const RaySet& primary, std::span<con
     return result;
 }
 
-RaySet bounce_rays(const RaySet& primary, std::span<const FullHit> hits) {
+RaySet bounce_rays(const RaySet& primary, std::span<const bvh::Hit> hits) {
     RaySet result{"bounce", false, {}, {}};
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const auto from = departure(primary.rays[i], hits[i]);

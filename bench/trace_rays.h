@@ -26,22 +26,16 @@ struct RaySet {
     std::size_t size() const { return rays.size(); }
 };
 
-/// A hit and the normal there: of any length, on either side.
-struct FullHit {
-    bvh::Hit hit{};
-    Vec3 normal{};
-};
-
 /// Returns a ray through the middle of each pixel of a square picture.
 /// Shape: `width` is a multiple of kTileWidth.
 RaySet primary_rays(const TraceScene& scene, int width);
 
 /// Returns a ray from each hit to the light.
-/// Shape: one hit for each ray of `primary`.
-RaySet shadow_rays(const TraceScene& scene, const RaySet& primary, std::span<const FullHit> hits);
+/// Shape: one hit for each ray of `primary`, with normals of any length, on either side.
+RaySet shadow_rays(const TraceScene& scene, const RaySet& primary, std::span<const bvh::Hit> hits);
 
 /// Returns a ray from each hit, cosine-distributed about the normal on the side it was seen from.
-/// Shape: one hit for each ray of `primary`.
-RaySet bounce_rays(const RaySet& primary, std::span<const FullHit> hits);
+/// Shape: as for shadow_rays().
+RaySet bounce_rays(const RaySet& primary, std::span<const bvh::Hit> hits);
 
 }  // namespace lray::bench

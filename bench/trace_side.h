@@ -53,18 +53,21 @@ class LraySide : public TraceSide {
     /// Traces a stretch of the loaded rays. Different stretches may be traced at the same time.
     void trace(std::size_t first, std::size_t count);
 
-    /// Shape: one for each loaded ray, which were not for any hit.
-    std::span<const FullHit> hits() const { return hits_; }
+    /// Shape: one for each loaded ray, which were not for any hit. Those of spheres have normals,
+    /// too: they are a part of Embree's hits, and what they cost is counted on both sides.
+    std::span<const bvh::Hit> hits() const { return hits_; }
 
  private:
-    Vec3 normal_at(const Ray& ray, const bvh::Hit& hit) const;
+    void trace_singly(std::size_t first, std::size_t count, bvh::TraceCounts& counts);
+    void trace_batches(std::size_t first, std::size_t count, bvh::TraceCounts& counts);
+    void add_normals(std::size_t first, std::size_t count);
 
     const scene::World& world_;
     bvh::BuildOptions options_{};
     bool is_batched_ = false;
     std::unique_ptr<bvh::Accel> accel_{};
     const RaySet* rays_ = nullptr;
-    std::vector<FullHit> hits_{};
+    std::vector<bvh::Hit> hits_{};
     std::unique_ptr<bool[]> are_hit_{};
 };
 

@@ -20,8 +20,8 @@ inline constexpr float kExitFactor = 1.0f + kSlabSlack;
 inline constexpr float kOriginSlack = 0x1p-22f;
 inline constexpr float kLeastOriginSlack = 0x1p-60f;
 
-/// Shape: [axis]; the fourth is there for vectors of four and has a direction of 1. Made by
-/// set_out() and prepare_floats() of prepared_ray.h.
+/// Shape: [axis]; the fourth is there for vectors of four and means nothing. Made by set_out() and
+/// prepare_floats() of prepared_ray.h.
 struct alignas(16) FloatRay {
     float origin_float[4];
     float dir_float[4];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/ray.h"
+#include "bvh/float4.h"
 #include "bvh/float_ray.h"
 
 namespace lray::bvh {
@@ -16,35 +17,45 @@ struct PreparedRay : FloatRay {
     DVec3 dir;
 };
 
+/// The six numbers of a ray.
+inline const float* numbers_of(const Ray& ray) {
+    static_assert(sizeof(Ray) == 6 * sizeof(float));
+    return reinterpret_cast<const float*>(&ray);
+}
+
 /// True if the ray can hit anything: all its numbers are finite.
 inline bool is_traceable(const Ray& ray) {
-    // What is not finite leaves NaN.
-    const Vec3 nothing = (ray.origin - ray.origin) + (ray.dir - ray.dir);
-    return nothing.x + nothing.y + nothing.z == 0.0f;
+    const float* const numbers = numbers_of(ray);
+    return are_finite(load_four(numbers)) && are_finite(load_four(numbers + 2));
 }
 
 /// Returns the ray without that which prepare_floats() works out.
-/// Space: any, if `dir` keeps the length that the way there gives it: t stays the world's.
-inline PreparedRay set_out(DVec3 origin, DVec3 dir) {
+inline PreparedRay set_out(const Ray& ray) {
+    const Float4 origin = load_four(numbers_of(ray));
+    const Float4 dir = rotated(load_four(numbers_of(ray) + 2));
     PreparedRay result;
-    result.origin = origin;
-    result.dir = dir;
-    for (int axis = 0; axis < 3; ++axis) {
-        result.origin_float[axis] = static_cast<float>(origin[axis]);
-        result.dir_float[axis] = static_cast<float>(dir[axis]);
-    }
-    result.origin_float[3] = 0.0f;
-    result.dir_float[3] = 1.0f;
+    store_four(result.origin_float, origin);
+    store_four(result.dir_float, dir);
+    store_three_wide(&result.origin.x, origin);
+    store_three_wide(&result.dir.x, dir);
     return result;
 }
 
-inline PreparedRay set_out(const Ray& ray) {
-    return set_out(DVec3{ray.origin}, DVec3{ray.dir});
+/// Likewise. Space: any, if `dir` keeps the length that the way there gives it: t stays the world's.
+inline PreparedRay set_out(DVec3 origin, DVec3 dir) {
+    const Vec3 origin_float{origin};
+    const Vec3 dir_float{dir};
+    PreparedRay result;
+    store_four(result.origin_float, Float4::of(origin_float.x, origin_float.y, origin_float.z));
+    store_four(result.dir_float, Float4::of(dir_float.x, dir_float.y, dir_float.z));
+    result.origin = origin;
+    result.dir = dir;
+    return result;
 }
 
 /// Works out the rest of a ray. Walks do it for themselves, with vectors (simd/blocks-inl.h).
 inline void prepare_floats(FloatRay& ray) {
-    for (std::size_t axis = 0; axis < 4; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
         const float inverse = 1.0f / ray.dir_float[axis];
         const float limited = inverse > kMaxInverse    ? kMaxInverse
                               : inverse < -kMaxInverse ? -kMaxInverse
@@ -75,7 +86,9 @@ inline PreparedRay prepare(DVec3 origin, DVec3 dir) {
 }
 
 inline PreparedRay prepare(const Ray& ray) {
-    return prepare(DVec3{ray.origin}, DVec3{ray.dir});
+    PreparedRay result = set_out(ray);
+    prepare_floats(result);
+    return result;
 }
 
 }  // namespace lray::bvh

@@ -8,7 +8,7 @@
 #include "base/bounds.h"
 #include "bvh/boxes/arena.h"
 #include "bvh/boxes/box_layout.h"
-#include "bvh/boxes/float4.h"
+#include "bvh/float4.h"
 #include "scene/world.h"
 
 namespace lray::bvh {

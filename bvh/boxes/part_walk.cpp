@@ -19,21 +19,8 @@ using scene::PrimitiveKind;
 /// How far the tests of spheres in float are off, in parts of the distances they work with.
 constexpr double kSphereSlack = 0x1p-20;
 
-SphereRay make_sphere_ray(const PreparedRay& ray) {
-    SphereRay result{};
-    const double length = std::sqrt(dot(ray.dir, ray.dir));
-    result.t_per_length = static_cast<float>(1.0 / length);
-    double origin_size = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        result.unit_dir[axis] = static_cast<float>(ray.dir[axis] / length);
-        origin_size += std::fabs(ray.origin[axis]);
-    }
-    result.origin_error = static_cast<float>(origin_size * kSphereSlack);
-    return result;
-}
-
 Hit meet(const PartWalk& walk, PrimitiveId id) {
-    Hit hit = intersect(walk.geometry(), id, *walk.prepared, walk.interval);
+    Hit hit = intersect(walk.geometry(), id, walk.prepared(), walk.interval);
     hit.place = walk.place;
     return hit;
 }
@@ -42,7 +29,7 @@ Hit meet(const PartWalk& walk, PrimitiveId id) {
 Hit meet(const PartWalk& walk, const SphereBlock& block, std::uint32_t lane) {
     const scene::Sphere sphere{
         {block.center[0][lane], block.center[1][lane], block.center[2][lane]}, block.radius[lane]};
-    const KernelHit hit = first_in(crossings(sphere, *walk.prepared), walk.interval);
+    const KernelHit hit = first_in(crossings(sphere, walk.prepared()), walk.interval);
     if (hit.is_none()) return {};
     return {hit.t, hit.u, hit.v, PrimitiveId::of_value(block.ids[lane]), walk.place, hit.normal};
 }
@@ -53,15 +40,15 @@ bool finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane
     const EdgeAreas<float> areas{finds.area_a[lane], finds.area_b[lane], finds.area_c[lane]};
     return finish_triangle(corner_of(block, 0, lane), corner_of(block, 1, lane),
                            corner_of(block, 2, lane), areas, {finds.entry[lane], finds.exit[lane]},
-                           *walk.prepared, walk.interval, hit);
+                           walk.prepared(), walk.interval, hit);
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
 void nearest_in(PartWalk& walk, const scene::WorldInstance& instance) {
     ++walk.counts->instance_tests;
-    const Interval inside = interval_in(instance, *walk.prepared, walk.interval);
+    const Interval inside = interval_in(instance, walk.prepared(), walk.interval);
     if (inside.is_empty()) return;
-    PreparedRay local = set_out_in(instance, *walk.prepared);
+    PreparedRay local = set_out_in(instance, walk.prepared());
     find_nearest(*walk.parts, walk.parts->prototypes[instance.prototype],
                  walk.place + instance.first_place, local, inside, *walk.best, *walk.counts);
     walk.narrow();
@@ -70,9 +57,9 @@ void nearest_in(PartWalk& walk, const scene::WorldInstance& instance) {
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
 bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
     ++walk.counts->instance_tests;
-    const Interval inside = interval_in(instance, *walk.prepared, walk.interval);
+    const Interval inside = interval_in(instance, walk.prepared(), walk.interval);
     if (inside.is_empty()) return false;
-    PreparedRay local = set_out_in(instance, *walk.prepared);
+    PreparedRay local = set_out_in(instance, walk.prepared());
     return find_any(*walk.parts, walk.parts->prototypes[instance.prototype], local, inside,
                     *walk.counts);
 }
@@ -145,31 +132,22 @@ Met any_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
     return is_hit ? Met::end : Met::nothing;
 }
 
-constexpr WalkCalls kNearestCalls{nearest_triangle, nearest_sphere, nearest_listed};
-constexpr WalkCalls kAnyCalls{any_triangle, any_sphere, any_listed};
-
 }  // namespace
 
-PartWalk::PartWalk(const BoxParts& the_parts, const BoxPart& the_part, scene::PlaceOffset the_place,
-                   PreparedRay& the_ray, Interval the_interval, TraceCounts& the_counts)
-    : Walk{&the_ray, nullptr, walk_begin(the_interval), reach_of(the_interval.hi), 0, 0, {}},
-      parts(&the_parts),
-      part(&the_part),
-      place(the_place),
-      prepared(&the_ray),
-      interval(the_interval),
-      counts(&the_counts) {
-    if (part->tree.view.spheres != nullptr) sphere_ray = make_sphere_ray(the_ray);
-}
+const WalkCalls kNearestCalls{nearest_triangle, nearest_sphere, nearest_listed};
+const WalkCalls kAnyCalls{any_triangle, any_sphere, any_listed};
 
-void PartWalk::seek_nearest(Hit& the_best) {
-    calls = &kNearestCalls;
-    best = &the_best;
-    narrow();
-}
-
-void PartWalk::seek_any() {
-    calls = &kAnyCalls;
+SphereRay make_sphere_ray(const PreparedRay& ray) {
+    SphereRay result{};
+    const double length = std::sqrt(dot(ray.dir, ray.dir));
+    result.t_per_length = static_cast<float>(1.0 / length);
+    double origin_size = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        result.unit_dir[axis] = static_cast<float>(ray.dir[axis] / length);
+        origin_size += std::fabs(ray.origin[axis]);
+    }
+    result.origin_error = static_cast<float>(origin_size * kSphereSlack);
+    return result;
 }
 
 void PartWalk::meet_planes() {
@@ -209,33 +187,8 @@ bool PartWalk::keep(const KernelHit& hit, PrimitiveId id) {
     return true;
 }
 
-void PartWalk::narrow() {
-    interval = up_to(*best, interval);
-    reach = reach_of(interval.hi);
-}
-
 bool PartWalk::casts_shadow(PrimitiveId id) const {
     return part->all_cast_shadows || geometry().object(geometry().object_of(id)).casts_shadow;
-}
-
-// NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-void find_nearest(const BoxParts& parts, const BoxPart& part, scene::PlaceOffset place,
-                  PreparedRay& ray, Interval interval, Hit& best, TraceCounts& counts) {
-    PartWalk walk(parts, part, place, ray, interval, counts);
-    walk.seek_nearest(best);
-    walk.meet_planes();
-    parts.walks.nearest(part.tree.view, walk);
-    walk.add_counts();
-}
-
-// NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-bool find_any(const BoxParts& parts, const BoxPart& part, PreparedRay& ray, Interval interval,
-              TraceCounts& counts) {
-    PartWalk walk(parts, part, 0, ray, interval, counts);
-    walk.seek_any();
-    const bool is_hit = walk.meets_plane() || parts.walks.any(part.tree.view, walk);
-    walk.add_counts();
-    return is_hit;
 }
 
 }  // namespace lray::bvh

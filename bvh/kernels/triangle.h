@@ -62,8 +62,10 @@ inline double triangle_t(Vec3 a, const TrianglePlane& plane, const Stretch& stre
     const auto least = static_cast<double>(stretch.entry * kEntryFactor);
     const auto most = static_cast<double>(stretch.exit);
     const double slope = dot(plane.normal, ray.dir);
-    const double t = slope != 0.0 ? dot(plane.normal, DVec3{a} - ray.origin) / slope
-                                  : std::numeric_limits<double>::quiet_NaN();
+    const double height = dot(plane.normal, DVec3{a} - ray.origin);
+    // Behind a ray that begins in the box: most often the triangle that the ray leaves.
+    if (height * slope < 0.0 && least <= 0.0) return least;
+    const double t = slope != 0.0 ? height / slope : std::numeric_limits<double>::quiet_NaN();
     return t < least ? least : (t > most ? most : t);
 }
 

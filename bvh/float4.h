@@ -1,5 +1,5 @@
-// Four floats at once, for the loops over millions of boxes that build a tree. On x86-64 they are
-// its baseline instructions; elsewhere plain code gives the same bits.
+// Four floats at once, for what is done to millions of boxes when a tree is built, and to every ray.
+// On x86-64 they are its baseline instructions; elsewhere plain code gives the same bits.
 #pragma once
 
 #ifdef __SSE2__
@@ -10,7 +10,8 @@ namespace lray::bvh {
 
 #ifdef __SSE2__
 
-/// Of arithmetic only the first three lanes are meant; the fourth goes along.
+/// Of arithmetic only the first three lanes are meant; the fourth goes along. What is read back as
+/// four has to be written as four: read one by one or the other way round it comes late.
 struct Float4 {
     __m128 v;
 
@@ -36,6 +37,26 @@ inline Float4 max(Float4 a, Float4 b) {
 inline Float4 load_three(const float* from) {
     const __m128 kept = _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1));
     return {_mm_and_ps(_mm_load_ps(from), kept)};
+}
+
+inline Float4 load_four(const float* from) {
+    return {_mm_loadu_ps(from)};
+}
+
+/// The lanes 1, 2, 3 and 0.
+inline Float4 rotated(Float4 a) {
+    return {_mm_shuffle_ps(a.v, a.v, _MM_SHUFFLE(0, 3, 2, 1))};
+}
+
+/// Writes the first three lanes as `to[0..2]`.
+inline void store_three_wide(double* to, Float4 a) {
+    _mm_storeu_pd(to, _mm_cvtps_pd(a.v));
+    _mm_store_sd(to + 2, _mm_cvtps_pd(_mm_movehl_ps(a.v, a.v)));
+}
+
+inline bool are_finite(Float4 a) {
+    const __m128 nothing = _mm_sub_ps(a.v, a.v);  // NaN of what is not finite
+    return _mm_movemask_ps(_mm_cmpeq_ps(nothing, nothing)) == 15;
 }
 
 /// Writes the first three lanes to `to[0..2]`, and a fourth behind.
@@ -84,6 +105,20 @@ inline Float4 max(Float4 a, Float4 b) {
 }
 inline Float4 load_three(const float* from) {
     return Float4::of(from[0], from[1], from[2]);
+}
+inline Float4 load_four(const float* from) {
+    return {{from[0], from[1], from[2], from[3]}};
+}
+inline Float4 rotated(Float4 a) {
+    return {{a.v[1], a.v[2], a.v[3], a.v[0]}};
+}
+inline void store_three_wide(double* to, Float4 a) {
+    for (int i = 0; i < 3; ++i) to[i] = static_cast<double>(a.v[i]);
+}
+inline bool are_finite(Float4 a) {
+    float nothing = 0.0f;  // what is not finite makes it NaN
+    for (float number : a.v) nothing += number - number;
+    return nothing == 0.0f;
 }
 inline void store_four(float* to, Float4 a) {
     for (int i = 0; i < 4; ++i) to[i] = a.v[i];

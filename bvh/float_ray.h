@@ -15,6 +15,14 @@ inline constexpr float kMaxInverse = 3e37f;
 inline constexpr float kSlabSlack = 0x1p-19f;
 inline constexpr float kExitFactor = 1.0f + kSlabSlack;
 
+/// A hit at t may lie so much before the computed entry of its box.
+inline constexpr float kEntryFactor = 1.0f - kSlabSlack;
+
+/// The sine of the angle between a ray and a plane, squared: below it what float loses along the
+/// ray is more than the slack of slabs. A sheared corner is off by six roundings at most, which
+/// this makes 24 of t; the slack is 32.
+inline constexpr double kGrazing = 1.0 / 16.0;
+
 /// How far the two origins lie from the true one, in parts of it and at least: times kMaxInverse,
 /// that is farther than the world reaches.
 inline constexpr float kOriginSlack = 0x1p-22f;

@@ -8,9 +8,6 @@
 
 namespace lray::bvh {
 
-/// A hit at t may lie so much before the computed entry of its box.
-inline constexpr float kEntryFactor = 1.0f - kSlabSlack;
-
 /// What is entered by reach_of(t) may hold a hit at t: twice the slack, so that
 /// entry <= reach_of(t) for every t >= entry * kEntryFactor, both rounded.
 inline constexpr float kReachFactor = 1.0f + 2.0f * kSlabSlack;

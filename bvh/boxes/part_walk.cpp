@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "bvh/instance_ray.h"
 #include "bvh/intersect.h"
@@ -34,13 +35,42 @@ Hit meet(const PartWalk& walk, const SphereBlock& block, std::uint32_t lane) {
     return {hit.t, hit.u, hit.v, PrimitiveId::of_value(block.ids[lane]), walk.place, hit.normal};
 }
 
-/// What was found is what intersect_triangle() would work out again. Not for halves of rectangles.
-bool finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
-            const TriangleFinds& finds, KernelHit& hit) {
+/// Returns the hit that intersect_triangle() would work out again. Not for halves of rectangles.
+[[gnu::noinline]] Hit finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
+                             const TriangleFinds& finds) {
     const EdgeAreas<float> areas{finds.area_a[lane], finds.area_b[lane], finds.area_c[lane]};
-    return finish_triangle(corner_of(block, 0, lane), corner_of(block, 1, lane),
-                           corner_of(block, 2, lane), areas, {finds.entry[lane], finds.exit[lane]},
-                           walk.prepared(), walk.interval, hit);
+    const PlaneHit plane{
+        finds.t[lane],
+        (finds.grazing >> lane & 1) != 0,
+        {finds.normal[0][lane], finds.normal[1][lane], finds.normal[2][lane]},
+    };
+    KernelHit hit;
+    if (!finish_triangle(corner_of(block, 0, lane), corner_of(block, 1, lane),
+                         corner_of(block, 2, lane), areas, plane, walk.prepared(), walk.interval,
+                         hit)) {
+        return {};
+    }
+    return {hit.t,    hit.u,     hit.v, PrimitiveId::of_value(block.ids[lane]), walk.place,
+            hit.normal};
+}
+
+/// Returns the hit of what has a lane in a block of triangles.
+[[gnu::noinline]] Hit meet(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
+                           const TriangleFinds& finds) {
+    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
+    return id.kind() == PrimitiveKind::triangle ? finish(walk, block, lane, finds)
+                                                : meet(walk, id);
+}
+
+/// True of a triangle of which finish_triangle() has nothing more to work out, but for
+/// barycentric coordinates: areas of some size, a plane that is not grazed.
+bool is_plain(const TriangleBlock& block, std::uint32_t lane, const TriangleFinds& finds,
+              float area_sum) {
+    const float magnitude = std::fabs(area_sum);
+    return PrimitiveId::of_value(block.ids[lane]).kind() == PrimitiveKind::triangle &&
+           (finds.grazing >> lane & 1) == 0 && finds.area_a[lane] != 0.0f &&
+           finds.area_b[lane] != 0.0f && finds.area_c[lane] != 0.0f &&
+           magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity;
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
@@ -67,15 +97,25 @@ bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
 Met nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                      const TriangleFinds& finds) {
     auto& self = static_cast<PartWalk&>(walk);
-    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
-    bool is_kept = false;
-    if (id.kind() == PrimitiveKind::triangle) {
-        KernelHit hit;
-        is_kept = finish(self, block, lane, finds, hit) && self.keep(hit, id);
-    } else {
-        is_kept = self.keep(meet(self, id));
+    const float sum = finds.area_a[lane] + finds.area_b[lane] + finds.area_c[lane];
+    if (!is_plain(block, lane, finds, sum)) [[unlikely]] {
+        return self.keep(meet(self, block, lane, finds)) ? Met::nearer_hit : Met::nothing;
     }
-    return is_kept ? Met::nearer_hit : Met::nothing;
+    const float t = finds.t[lane];
+    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
+    Hit& best = *self.best;
+    if (!self.interval.contains(t) || !is_closer(t, self.place, id, best)) return Met::nothing;
+    // One by one: copied as one, what was just written would be waited for.
+    best.t = t;
+    best.u = finds.area_b[lane] / sum;
+    best.v = finds.area_c[lane] / sum;
+    best.primitive_id = id;
+    best.place = self.place;
+    best.normal.x = finds.normal[0][lane];
+    best.normal.y = finds.normal[1][lane];
+    best.normal.z = finds.normal[2][lane];
+    self.narrow();
+    return Met::nearer_hit;
 }
 
 Met nearest_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
@@ -101,11 +141,11 @@ Met nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
 Met any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                  const TriangleFinds& finds) {
     const auto& self = static_cast<const PartWalk&>(walk);
-    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
-    if (!self.casts_shadow(id)) return Met::nothing;
-    KernelHit hit;
-    const bool is_hit = id.kind() == PrimitiveKind::triangle ? finish(self, block, lane, finds, hit)
-                                                             : !meet(self, id).is_none();
+    if (!self.casts_shadow(PrimitiveId::of_value(block.ids[lane]))) return Met::nothing;
+    const float sum = finds.area_a[lane] + finds.area_b[lane] + finds.area_c[lane];
+    const bool is_hit = is_plain(block, lane, finds, sum)
+                            ? self.interval.contains(finds.t[lane])
+                            : !meet(self, block, lane, finds).is_none();
     return is_hit ? Met::end : Met::nothing;
 }
 
@@ -168,21 +208,6 @@ bool PartWalk::meets_plane() {
 bool PartWalk::keep(const Hit& hit) {
     if (hit.is_none() || !is_closer(hit, *best)) return false;
     *best = hit;
-    narrow();
-    return true;
-}
-
-bool PartWalk::keep(const KernelHit& hit, PrimitiveId id) {
-    if (!is_closer(hit.t, place, id, *best)) return false;
-    // One by one: copied as one what was just written would wait until it is in the cache.
-    best->t = hit.t;
-    best->u = hit.u;
-    best->v = hit.v;
-    best->primitive_id = id;
-    best->place = place;
-    best->normal.x = hit.normal.x;
-    best->normal.y = hit.normal.y;
-    best->normal.z = hit.normal.z;
     narrow();
     return true;
 }

@@ -6,7 +6,6 @@
 
 #include "bvh/accel.h"
 #include "bvh/boxes/box_tree.h"
-#include "bvh/kernels/kernel_hit.h"
 #include "bvh/prepared_ray.h"
 #include "bvh/simd/walk.h"
 #include "bvh/slab.h"
@@ -49,6 +48,8 @@ struct PartWalk : Walk {
           interval(the_interval),
           counts(&the_counts) {
         ray = &the_ray;
+        origin = &the_ray.origin.x;
+        dir = &the_ray.dir.x;
         lo = walk_begin(interval);
         reach = reach_of(interval.hi);
         node_tests = 0;
@@ -88,7 +89,6 @@ struct PartWalk : Walk {
 
     /// Keeps a hit if it is the best; then nothing farther counts. Returns whether it did.
     bool keep(const Hit& hit);
-    bool keep(const KernelHit& hit, scene::PrimitiveId id);
 
     /// Leaves of the interval what may hold a closer hit than the best.
     void narrow() {

@@ -34,6 +34,10 @@ bool meet_triangles(const TriangleBlock& block, Walk& walk) {
         finds.area_c[lane] = areas.c;
         finds.entry[lane] = stretch.entry;
         finds.exit[lane] = stretch.exit;
+        const PlaneHit plane = plane_hit(a, b, c, stretch, static_cast<const PreparedRay&>(ray));
+        finds.t[lane] = plane.t;
+        for (int axis = 0; axis < 3; ++axis) finds.normal[axis][lane] = plane.normal[axis];
+        finds.grazing = (plane.is_grazing ? 1u : 0u) << lane;
         if (walk.calls->meet_triangle(walk, block, lane, finds) == Met::end) return true;
     }
     return false;

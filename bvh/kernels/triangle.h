@@ -62,10 +62,8 @@ inline double triangle_t(Vec3 a, const TrianglePlane& plane, const Stretch& stre
     const auto least = static_cast<double>(stretch.entry * kEntryFactor);
     const auto most = static_cast<double>(stretch.exit);
     const double slope = dot(plane.normal, ray.dir);
-    const double height = dot(plane.normal, DVec3{a} - ray.origin);
-    // Behind a ray that begins in the box: most often the triangle that the ray leaves.
-    if (height * slope < 0.0 && least <= 0.0) return least;
-    const double t = slope != 0.0 ? height / slope : std::numeric_limits<double>::quiet_NaN();
+    const double t = slope != 0.0 ? dot(plane.normal, DVec3{a} - ray.origin) / slope
+                                  : std::numeric_limits<double>::quiet_NaN();
     return t < least ? least : (t > most ? most : t);
 }
 
@@ -103,11 +101,6 @@ EdgeAreas<Number> edge_areas(ShearedCorner a, ShearedCorner b, ShearedCorner c) 
     };
     return {area(c, b), area(a, c), area(b, a)};
 }
-
-/// The sine of the angle between a ray and a plane, squared: below it what float loses along the
-/// ray is more than the slack of slabs. A sheared corner is off by six roundings at most, which
-/// this makes 24 of t; the slack is 32.
-inline constexpr double kGrazing = 1.0 / 16.0;
 
 /// Returns the stretch of a ray that grazes a triangle in which its hit may lie: beside the point
 /// of the triangle that the areas say is hit, not anywhere in its box. There a tree that has the
@@ -150,39 +143,50 @@ inline std::optional<Vec2> exact_barycentric(Vec3 a, Vec3 b, Vec3 c, const Prepa
     return Vec2{static_cast<float>(areas.b / sum), static_cast<float>(areas.c / sum)};
 }
 
-/// Finds the hit of a triangle whose areas do not have two signs and in whose box the ray is for a
-/// stretch: intersect_triangle()'s second half. Returns false if there is none.
+/// Where a ray meets the plane of a triangle, in its box.
+struct PlaneHit {
+    float t = 0.0f;  // triangle_t()
+    bool is_grazing = false;
+    Vec3 normal{0.0f};  // Hit::normal
+};
+
+/// `stretch`: of the ray in the triangle's box, not empty.
+inline PlaneHit plane_hit(Vec3 a, Vec3 b, Vec3 c, const Stretch& stretch, const PreparedRay& ray) {
+    const TrianglePlane plane(a, b, c);
+    return {static_cast<float>(triangle_t(a, plane, stretch, ray)), is_grazing(plane, ray),
+            Vec3{plane.normal}};
+}
+
+/// Finds the hit of a triangle whose areas do not have two signs, from where its plane is met:
+/// intersect_triangle()'s last part. Returns false if there is none.
 inline bool finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>& areas,
-                            const Stretch& stretch, const PreparedRay& ray, Interval interval,
+                            const PlaneHit& plane, const PreparedRay& ray, Interval interval,
                             KernelHit& hit) {
+    // A ray that leaves the triangle has its plane behind it, though maybe not the point that it
+    // grazes.
+    if (!(plane.t > interval.lo)) return false;
+    float t = plane.t;
+    if (plane.is_grazing) [[unlikely]] {
+        const Stretch here = grazing_stretch(a, b, c, ray);
+        if (!(here.entry <= here.exit)) return false;
+        t = static_cast<float>(triangle_t(a, TrianglePlane(a, b, c), here, ray));
+    }
+    if (!interval.contains(t)) return false;
     const float sum = areas.a + areas.b + areas.c;
     const float magnitude = std::fabs(sum);
-    float u = areas.b / sum;
-    float v = areas.c / sum;
+    hit.u = areas.b / sum;
+    hit.v = areas.c / sum;
     if (areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
         !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity)) [[unlikely]] {
         const std::optional<Vec2> exact = exact_barycentric(a, b, c, ray);
         if (!exact) return false;
-        u = exact->x;
-        v = exact->y;
+        hit.u = exact->x;
+        hit.v = exact->y;
     }
-    const TrianglePlane plane(a, b, c);
-    auto t = static_cast<float>(triangle_t(a, plane, stretch, ray));
-    // A ray that leaves the triangle has its plane behind it, though maybe not the point that it
-    // grazes.
-    if (!(t > interval.lo)) return false;
-    if (is_grazing(plane, ray)) {
-        const Stretch here = grazing_stretch(a, b, c, ray);
-        if (!(here.entry <= here.exit)) return false;
-        t = static_cast<float>(triangle_t(a, plane, here, ray));
-    }
-    if (!interval.contains(t)) return false;
     hit.t = t;
-    hit.u = u;
-    hit.v = v;
-    hit.normal.x = static_cast<float>(plane.normal.x);
-    hit.normal.y = static_cast<float>(plane.normal.y);
-    hit.normal.z = static_cast<float>(plane.normal.z);
+    hit.normal.x = plane.normal.x;
+    hit.normal.y = plane.normal.y;
+    hit.normal.z = plane.normal.z;
     return true;
 }
 
@@ -204,7 +208,9 @@ inline KernelHit intersect_triangle(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& r
     const Stretch stretch = triangle_stretch(a, b, c, ray);
     if (!(stretch.entry <= stretch.exit)) return {};
     KernelHit hit;
-    finish_triangle(a, b, c, areas, stretch, ray, interval, hit);
+    if (!finish_triangle(a, b, c, areas, plane_hit(a, b, c, stretch, ray), ray, interval, hit)) {
+        return {};
+    }
     return hit;
 }
 

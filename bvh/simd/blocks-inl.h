@@ -89,26 +89,8 @@ HWY_INLINE void prepare_ray(FloatRay& ray) {
     ray.shear_y = ray.dir_float[axes[1]] / fastest;
 }
 
-/// One axis of a ray, for slabs, and where the planes that it passes first and last lie in the
-/// first node of a tree.
-struct SlabAxis {
-    FloatVec origin_near;
-    FloatVec origin_far;
-    FloatVec inv_dir;
-    FloatVec inv_dir_far;
-    const float* near_planes;
-    const float* far_planes;
-};
-
-struct SlabRay {
-    SlabAxis x;
-    SlabAxis y;
-    SlabAxis z;
-    FloatVec lo;
-};
-
 /// Returns a value that compilers know nothing about. Otherwise they would put pointers together from
-/// their parts, and keep over a whole loop what is better read again where it is needed.
+/// their parts, and save over a call what is better read again after it.
 template <class T>
 HWY_INLINE T opaque(T value) {
 #if HWY_COMPILER_GCC || HWY_COMPILER_CLANG
@@ -117,37 +99,56 @@ HWY_INLINE T opaque(T value) {
     return value;
 }
 
-HWY_INLINE SlabAxis make_slab_axis(const FloatRay& ray, const BoxNode* nodes, std::size_t axis) {
+/// Where the planes that a ray passes first and last of each axis lie in the first node of a tree.
+struct SlabPlanes {
+    const char* near[3];
+    const char* far[3];
+};
+
+HWY_INLINE SlabPlanes make_slab_planes(const FloatRay& ray, const BoxNode* nodes) {
+    constexpr std::size_t kSideBytes = kBoxWidth * sizeof(float);
+    SlabPlanes result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t near = (2 * axis + ray.near_side[axis]) * kSideBytes;
+        result.near[axis] = opaque(reinterpret_cast<const char*>(nodes) + near);
+        result.far[axis] = opaque(reinterpret_cast<const char*>(nodes) + (near ^ kSideBytes));
+    }
+    return result;
+}
+
+/// A ray, for slabs, in registers.
+struct SlabRay {
+    FloatVec origin_near[3];
+    FloatVec origin_far[3];
+    FloatVec inv_dir[3];
+    FloatVec inv_dir_far[3];
+    FloatVec lo;
+};
+
+HWY_INLINE SlabRay make_slab_ray(const Walk& walk) {
     const Floats d;
-    const std::size_t near_side = ray.near_side[axis];
-    SlabAxis result;
-    result.origin_near = hn::Set(d, ray.origin_near[axis]);
-    result.origin_far = hn::Set(d, ray.origin_far[axis]);
-    result.inv_dir = hn::Set(d, ray.inv_dir[axis]);
-    result.inv_dir_far = hn::Set(d, ray.inv_dir_far[axis]);
-    const float* const planes = reinterpret_cast<const float*>(nodes) + axis * 2 * kBoxWidth;
-    result.near_planes = opaque(planes + near_side * kBoxWidth);
-    result.far_planes = opaque(planes + (1 - near_side) * kBoxWidth);
-    return result;
+    const FloatRay& ray = *opaque(walk.ray);
+    return {{hn::Set(d, ray.origin_near[0]), hn::Set(d, ray.origin_near[1]),
+             hn::Set(d, ray.origin_near[2])},
+            {hn::Set(d, ray.origin_far[0]), hn::Set(d, ray.origin_far[1]),
+             hn::Set(d, ray.origin_far[2])},
+            {hn::Set(d, ray.inv_dir[0]), hn::Set(d, ray.inv_dir[1]), hn::Set(d, ray.inv_dir[2])},
+            {hn::Set(d, ray.inv_dir_far[0]), hn::Set(d, ray.inv_dir_far[1]),
+             hn::Set(d, ray.inv_dir_far[2])},
+            hn::Set(d, walk.lo)};
 }
 
-HWY_INLINE SlabRay make_slab_ray(const Walk& walk, const BoxNode* nodes) {
-    SlabRay result;
-    result.x = make_slab_axis(*walk.ray, nodes, 0);
-    result.y = make_slab_axis(*walk.ray, nodes, 1);
-    result.z = make_slab_axis(*walk.ray, nodes, 2);
-    result.lo = hn::Set(Floats(), walk.lo);
-    return result;
+template <int axis>
+HWY_INLINE FloatVec near_of(const SlabPlanes& planes, const SlabRay& ray, std::size_t offset) {
+    const auto* const plane = reinterpret_cast<const float*>(planes.near[axis] + offset);
+    return hn::Mul(hn::Sub(hn::Load(Floats(), plane), ray.origin_near[axis]), ray.inv_dir[axis]);
 }
 
-HWY_INLINE FloatVec near_of(const SlabAxis& axis, std::size_t offset) {
-    const FloatVec plane = hn::Load(Floats(), axis.near_planes + offset);
-    return hn::Mul(hn::Sub(plane, axis.origin_near), axis.inv_dir);
-}
-
-HWY_INLINE FloatVec far_of(const SlabAxis& axis, std::size_t offset) {
-    const FloatVec plane = hn::Load(Floats(), axis.far_planes + offset);
-    return hn::Mul(hn::Sub(plane, axis.origin_far), axis.inv_dir_far);
+template <int axis>
+HWY_INLINE FloatVec far_of(const SlabPlanes& planes, const SlabRay& ray, std::size_t offset) {
+    const auto* const plane = reinterpret_cast<const float*>(planes.far[axis] + offset);
+    return hn::Mul(hn::Sub(hn::Load(Floats(), plane), ray.origin_far[axis]),
+                   ray.inv_dir_far[axis]);
 }
 
 /// Where a ray enters children of a node, and which of them it is in between `lo` and `reach`.
@@ -171,24 +172,25 @@ HWY_INLINE FloatVec lesser_by_bits(FloatVec a, FloatVec b) {
 
 /// Of the children from `lane` on: a step of them. A box that is left at -0 may be met or not: no
 /// hit in it counts.
-HWY_INLINE BoxesMet meet_step(BoxChild node, std::uint32_t lane, const SlabRay& ray,
-                              FloatVec reach) {
-    const std::size_t at = std::size_t{node} * (kNodeUnitBytes / sizeof(float)) + lane;
+HWY_INLINE BoxesMet meet_step(BoxChild node, std::uint32_t lane, const SlabPlanes& planes,
+                              const SlabRay& ray, FloatVec reach) {
+    const std::size_t at = std::size_t{node} * kNodeUnitBytes + lane * sizeof(float);
     const FloatVec entry =
-        greater_by_bits(greater_by_bits(near_of(ray.x, at), near_of(ray.y, at)),
-                        greater_by_bits(near_of(ray.z, at), ray.lo));
-    const FloatVec exit = lesser_by_bits(lesser_by_bits(far_of(ray.x, at), far_of(ray.y, at)),
-                                         lesser_by_bits(far_of(ray.z, at), reach));
+        greater_by_bits(greater_by_bits(near_of<0>(planes, ray, at), near_of<1>(planes, ray, at)),
+                        greater_by_bits(near_of<2>(planes, ray, at), ray.lo));
+    const FloatVec exit =
+        lesser_by_bits(lesser_by_bits(far_of<0>(planes, ray, at), far_of<1>(planes, ray, at)),
+                       lesser_by_bits(far_of<2>(planes, ray, at), reach));
     return {entry, hn::Le(entry, exit)};
 }
 
 /// Of all children: a bit for each that is met, and the entries as the bits of floats.
-HWY_INLINE std::uint32_t meet_boxes(BoxChild node, const SlabRay& ray, FloatVec reach,
-                                    std::uint32_t* HWY_RESTRICT entries) {
+HWY_INLINE std::uint32_t meet_boxes(BoxChild node, const SlabPlanes& planes, const SlabRay& ray,
+                                    FloatVec reach, std::uint32_t* HWY_RESTRICT entries) {
     const Words w;
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
-        const BoxesMet step = meet_step(node, i, ray, reach);
+        const BoxesMet step = meet_step(node, i, planes, ray, reach);
         hn::Store(hn::BitCast(w, step.entry), w, entries + i);
         bits |= bits_of(step.is_met) << i;
     }
@@ -207,8 +209,9 @@ struct ShearRay {
     std::size_t z_offset;
 };
 
-HWY_INLINE ShearRay make_shear_ray(const FloatRay& ray) {
+HWY_INLINE ShearRay make_shear_ray(const Walk& walk) {
     const Floats d;
+    const FloatRay& ray = *opaque(walk.ray);
     ShearRay result;
     result.origin_x = hn::Set(d, ray.origin_float[ray.axes[0]]);
     result.origin_y = hn::Set(d, ray.origin_float[ray.axes[1]]);
@@ -294,16 +297,101 @@ HWY_INLINE std::uint32_t lanes_there(const std::uint32_t* ids, Walk& walk) {
     return there;
 }
 
+using Doubles = hn::CappedTag<double, 4>;
+using DoubleVec = hn::Vec<Doubles>;
+inline constexpr std::uint32_t kDoubleStep = static_cast<std::uint32_t>(hn::MaxLanes(Doubles()));
+
+struct Vec3Doubles {
+    DoubleVec x;
+    DoubleVec y;
+    DoubleVec z;
+};
+
+HWY_INLINE Vec3Doubles operator-(const Vec3Doubles& a, const Vec3Doubles& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+HWY_INLINE DoubleVec dot(const Vec3Doubles& a, const Vec3Doubles& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+HWY_INLINE Vec3Doubles cross(const Vec3Doubles& a, const Vec3Doubles& b) {
+    return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(b.y, a.z)),
+            hn::Sub(hn::Mul(a.z, b.x), hn::Mul(b.z, a.x)),
+            hn::Sub(hn::Mul(a.x, b.y), hn::Mul(b.x, a.y))};
+}
+
+HWY_INLINE Vec3Doubles fill(const double* values) {
+    const Doubles d;
+    return {hn::Set(d, values[0]), hn::Set(d, values[1]), hn::Set(d, values[2])};
+}
+
+HWY_INLINE DoubleVec load_wide(const float* from) {
+    const Doubles d;
+    return hn::PromoteTo(d, hn::Load(hn::Rebind<float, Doubles>(), from));
+}
+
+HWY_INLINE Vec3Doubles corner_at(const TriangleBlock& block, std::size_t corner, std::size_t lane) {
+    const auto& planes = block.corners[corner];
+    return {load_wide(planes[0] + lane), load_wide(planes[1] + lane), load_wide(planes[2] + lane)};
+}
+
+template <class D, class M>
+HWY_INLINE std::uint32_t bits_of_step(D d, M mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, mask, bits);
+    return bits[0];
+}
+
+/// plane_hit() of kernels/triangle.h, operation by operation. Of the lanes of `bits` returns those
+/// whose plane is met in front of `lo` and, if it is not grazed, by `reach`.
+HWY_INLINE std::uint32_t meet_triangle_planes(const TriangleBlock& block, const Walk& walk,
+                                              std::uint32_t bits, TriangleFinds& finds) {
+    const Doubles d;
+    const hn::Rebind<float, Doubles> narrow;
+    const Vec3Doubles origin = fill(walk.origin);
+    const Vec3Doubles dir = fill(walk.dir);
+    std::uint32_t met = 0;
+    finds.grazing = 0;
+    for (std::uint32_t i = 0; i < kBoxWidth; i += kDoubleStep) {
+        if ((bits >> i & ((1u << kDoubleStep) - 1)) == 0) continue;
+        const Vec3Doubles a = corner_at(block, 0, i);
+        const Vec3Doubles normal =
+            cross(corner_at(block, 1, i) - a, corner_at(block, 2, i) - a);
+        const DoubleVec slope = dot(normal, dir);
+        const DoubleVec plane_t = hn::Div(dot(normal, a - origin), slope);
+        const auto entry = hn::Load(narrow, finds.entry + i);
+        const DoubleVec least = hn::PromoteTo(d, hn::Mul(entry, hn::Set(narrow, kEntryFactor)));
+        const DoubleVec most = load_wide(finds.exit + i);
+        const DoubleVec in_box =
+            hn::IfThenElse(hn::Lt(plane_t, least), least, hn::Min(plane_t, most));
+        const auto t = hn::DemoteTo(narrow, in_box);
+        const DoubleVec limit =
+            hn::Mul(hn::Mul(hn::Set(d, kGrazing), dot(normal, normal)), dot(dir, dir));
+        const std::uint32_t steep = bits_of_step(d, hn::Ge(hn::Mul(slope, slope), limit));
+        const std::uint32_t sloped = bits_of_step(d, hn::Ne(slope, hn::Zero(d)));
+        const std::uint32_t ahead = bits_of_step(narrow, hn::Gt(t, hn::Set(narrow, walk.lo)));
+        const std::uint32_t near = bits_of_step(narrow, hn::Le(t, hn::Set(narrow, walk.reach)));
+        met |= (sloped & ahead & (near | ~steep)) << i;
+        finds.grazing |= (~steep & ((1u << kDoubleStep) - 1)) << i;
+        hn::Store(t, narrow, finds.t + i);
+        hn::Store(hn::DemoteTo(narrow, normal.x), narrow, finds.normal[0] + i);
+        hn::Store(hn::DemoteTo(narrow, normal.y), narrow, finds.normal[1] + i);
+        hn::Store(hn::DemoteTo(narrow, normal.z), narrow, finds.normal[2] + i);
+    }
+    return bits & met;
+}
+
 /// Returns which triangles of a block the ray may meet between `lo` and `reach`, a bit each: those
-/// whose areas have no two signs (and maybe such as have one that is not a number), and in whose
-/// box it is.
-HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearRay& ray, Walk& walk,
-                                        TriangleFinds& finds) {
+/// whose areas have no two signs (and maybe such as have one that is not a number), in whose box it
+/// is, and whose plane it meets there.
+HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, Walk& walk, TriangleFinds& finds) {
     const Floats d;
+    const ShearRay ray = make_shear_ray(walk);
     const FloatVec zero = hn::Zero(d);
-    const float* const x = opaque(&block.corners[0][0][0] + ray.x_offset);
-    const float* const y = opaque(&block.corners[0][0][0] + ray.y_offset);
-    const float* const z = opaque(&block.corners[0][0][0] + ray.z_offset);
+    const float* const x = &block.corners[0][0][0] + ray.x_offset;
+    const float* const y = &block.corners[0][0][0] + ray.y_offset;
+    const float* const z = &block.corners[0][0][0] + ray.z_offset;
     constexpr std::size_t kCorner = 3 * kBoxWidth;  // from one to the next
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
@@ -323,7 +411,8 @@ HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, const ShearR
         hn::Store(area_b, d, finds.area_b + i);
         hn::Store(area_c, d, finds.area_c + i);
     }
-    return bits == 0 ? 0 : meet_triangle_boxes(block, walk, bits, finds);
+    if (bits != 0) bits = meet_triangle_boxes(block, walk, bits, finds);
+    return bits == 0 ? 0 : meet_triangle_planes(block, walk, bits, finds);
 }
 
 /// Returns which spheres of a block the ray may meet between `lo` and `reach`, a bit each: none is

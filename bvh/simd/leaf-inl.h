@@ -28,11 +28,11 @@ HWY_INLINE float bound_of(float exit) {
 }
 
 HWY_INLINE float meet_triangle_leaf(const TriangleBlock* block, const TriangleBlock* end,
-                                    const ShearRay& shear_ray, Walk& walk) {
+                                    Walk& walk) {
     float bound = kNoBound;
     for (; block != end; ++block) {
         TriangleFinds finds;
-        std::uint32_t bits = meet_triangles(*block, shear_ray, walk, finds);
+        std::uint32_t bits = meet_triangles(*block, walk, finds);
         while (bits != 0) {
             const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
             bits &= bits - 1;
@@ -70,8 +70,7 @@ HWY_NOINLINE float meet_other_leaf(const BoxTreeView& tree, BoxChildKind kind, s
 
 /// Tells the walk's calls of what the ray may meet in a leaf. Returns kEnded if one ended the walk,
 /// otherwise a bound on Walk::reach from above.
-HWY_INLINE float meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearRay& shear_ray,
-                           Walk& walk) {
+HWY_INLINE float meet_leaf(const BoxTreeView& tree, BoxChild leaf, Walk& walk) {
     const std::uint32_t count = (leaf >> kBoxCountShift & (kMaxLeafCount - 1)) + 1;
     const std::uint32_t first = leaf & kMaxLeafFirst;
     const auto kind = static_cast<BoxChildKind>(leaf >> kBoxKindShift);
@@ -79,7 +78,7 @@ HWY_INLINE float meet_leaf(const BoxTreeView& tree, BoxChild leaf, const ShearRa
         return meet_other_leaf(tree, kind, first, count, walk);
     }
     const TriangleBlock* const block = tree.triangles + first;
-    return meet_triangle_leaf(block, block + count, shear_ray, walk);
+    return meet_triangle_leaf(block, block + count, walk);
 }
 
 }  // namespace lray::bvh::HWY_NAMESPACE

@@ -72,8 +72,7 @@ HWY_INLINE BoxChild choose_child(const BoxNode& node, std::uint32_t bits,
 HWY_NOINLINE bool walk_nearest_below(const BoxTreeView& tree, BoxChild root, Walk& walk) {
     const Floats d;
     prepare_ray(*walk.ray);
-    const SlabRay slab_ray = make_slab_ray(walk, tree.nodes);
-    const ShearRay shear_ray = make_shear_ray(*walk.ray);
+    const SlabPlanes planes = make_slab_planes(*walk.ray, tree.nodes);
     FloatVec reach = hn::Set(d, walk.reach);
     Waiting stack[kMaxWaiting];
     Waiting* top = stack;
@@ -81,12 +80,13 @@ HWY_NOINLINE bool walk_nearest_below(const BoxTreeView& tree, BoxChild root, Wal
     std::uint64_t node_tests = 0;
     bool is_ended = false;
     for (;;) {
+        const SlabRay slab_ray = make_slab_ray(walk);
         bool is_empty = false;
         while (current < kFirstLeaf) {
             ++node_tests;
             const BoxNode& node = node_at(tree, current);
             alignas(32) std::uint32_t entries[kBoxWidth];
-            const std::uint32_t bits = meet_boxes(current, slab_ray, reach, entries);
+            const std::uint32_t bits = meet_boxes(current, planes, slab_ray, reach, entries);
             is_empty = bits == 0;
             if (is_empty) break;
             if ((bits & (bits - 1)) == 0) {
@@ -97,7 +97,7 @@ HWY_NOINLINE bool walk_nearest_below(const BoxTreeView& tree, BoxChild root, Wal
         }
         if (!is_empty) {
             const float reach_before = walk.reach;
-            const float bound = meet_leaf(tree, current, shear_ray, walk);
+            const float bound = meet_leaf(tree, current, walk);
             if (bound == kEnded) {
                 is_ended = true;
                 break;
@@ -119,12 +119,13 @@ end:
 
 /// Returns which children of a node the ray is in, a bit each, and writes these to `met` in the
 /// order of the lanes, without a branch.
-HWY_INLINE std::uint32_t list_met(BoxChild node, const BoxChild* children, const SlabRay& ray,
-                                  FloatVec reach, BoxChild* HWY_RESTRICT met) {
+HWY_INLINE std::uint32_t list_met(BoxChild node, const BoxChild* children,
+                                  const SlabPlanes& planes, const SlabRay& ray, FloatVec reach,
+                                  BoxChild* HWY_RESTRICT met) {
     const Words w;
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
-        const FloatMask is_met = meet_step(node, i, ray, reach).is_met;
+        const FloatMask is_met = meet_step(node, i, planes, ray, reach).is_met;
         const auto listed = hn::Compress(hn::Load(w, children + i), hn::RebindMask(w, is_met));
         hn::StoreU(listed, w, met + hwy::PopCount(bits));
         bits |= bits_of(is_met) << i;
@@ -135,8 +136,7 @@ HWY_INLINE std::uint32_t list_met(BoxChild node, const BoxChild* children, const
 /// Walks what is below a child, in no particular order. Returns true if a call ended the walk.
 HWY_NOINLINE bool walk_any_below(const BoxTreeView& tree, BoxChild root, Walk& walk) {
     prepare_ray(*walk.ray);
-    const SlabRay slab_ray = make_slab_ray(walk, tree.nodes);
-    const ShearRay shear_ray = make_shear_ray(*walk.ray);
+    const SlabPlanes planes = make_slab_planes(*walk.ray, tree.nodes);
     const FloatVec reach = hn::Set(Floats(), walk.reach);
     BoxChild stack[kMaxWaiting + kBoxWidth];
     BoxChild* top = stack;
@@ -144,18 +144,19 @@ HWY_NOINLINE bool walk_any_below(const BoxTreeView& tree, BoxChild root, Walk& w
     std::uint64_t node_tests = 0;
     bool is_ended = false;
     for (;;) {
+        const SlabRay slab_ray = make_slab_ray(walk);
         bool is_empty = false;
         while (current < kFirstLeaf) {
             ++node_tests;
             const BoxNode& node = node_at(tree, current);
-            const std::uint32_t bits = list_met(current, node.children, slab_ray, reach, top);
+            const std::uint32_t bits = list_met(current, node.children, planes, slab_ray, reach, top);
             is_empty = bits == 0;
             if (is_empty) break;
             // The last of them is next: known sooner from its lane than from the list.
             current = node.children[31 ^ hwy::Num0BitsAboveMS1Bit_Nonzero32(bits)];
             top += hwy::PopCount(bits) - 1;
         }
-        if (!is_empty && meet_leaf(tree, current, shear_ray, walk) == kEnded) {
+        if (!is_empty && meet_leaf(tree, current, walk) == kEnded) {
             is_ended = true;
             break;
         }

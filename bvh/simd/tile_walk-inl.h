@@ -192,7 +192,7 @@ HWY_INLINE void walk_alone(const BoxTreeView& tree, BoxChild child, std::uint64_
         Walk& walk = walk_of(tile, ray, prepared);
         bool is_ended = false;
         if (child >= kFirstLeaf) {
-            is_ended = meet_leaf(tree, child, make_shear_ray(*walk.ray), walk) == kEnded;
+            is_ended = meet_leaf(tree, child, walk) == kEnded;
         } else if (is_ordered) {
             is_ended = walk_nearest_below(tree, child, walk);
         } else {

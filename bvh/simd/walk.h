@@ -21,14 +21,16 @@ struct SphereRay {
     float origin_error;  // of the distance of anything from the origin
 };
 
-/// Of triangles that the ray may meet, by lane of their block: twice the signed areas opposite their
-/// corners, and the stretch of the ray in their boxes.
-struct alignas(32) TriangleFinds {
-    float area_a[kBoxWidth];
+/// Of triangles that the ray may meet, by lane of their block.
+struct alignas(64) TriangleFinds {
+    float area_a[kBoxWidth];  // twice the signed areas opposite the corners
     float area_b[kBoxWidth];
     float area_c[kBoxWidth];
-    float entry[kBoxWidth];
+    float entry[kBoxWidth];  // the stretch of the ray in the triangle's box
     float exit[kBoxWidth];
+    float t[kBoxWidth];  // what PlaneHit of kernels/triangle.h holds
+    float normal[3][kBoxWidth];
+    std::uint32_t grazing;  // a bit for each lane
 };
 
 struct Walk;
@@ -46,7 +48,9 @@ struct WalkCalls {
 
 /// One ray on its way through one tree.
 struct Walk {
-    FloatRay* ray;  // set out; walks prepare its floats
+    FloatRay* ray;         // of a PreparedRay that set out; walks prepare its floats
+    const double* origin;  // the ray in double. Shape: [axis]
+    const double* dir;
     const WalkCalls* calls;
     float lo;     // 0 or more
     float reach;  // what is entered beyond it cannot hold a hit that counts: reach_of(hi)

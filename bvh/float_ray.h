@@ -6,8 +6,9 @@
 
 namespace lray::bvh {
 
-/// The inverse of 0: it gives no NaN, and by it a box on whose face a ray runs is not left.
-inline constexpr float kMaxInverse = 3e37f;
+/// Along an axis a ray runs at least so fast, for slabs: inverses are finite, none gives a NaN, and by
+/// them a box on whose face a ray runs is not left.
+inline constexpr float kLeastSpeed = 0x1p-124f;
 
 /// A box counts as left by so much later than computed. The slabs have three roundings, gamma(3);
 /// the sheared vertices of the triangle kernel are off by as much again; the rest is room to spare.
@@ -23,8 +24,8 @@ inline constexpr float kEntryFactor = 1.0f - kSlabSlack;
 /// this makes 24 of t; the slack is 32.
 inline constexpr double kGrazing = 1.0 / 16.0;
 
-/// How far the two origins lie from the true one, in parts of it and at least: times kMaxInverse,
-/// that is farther than the world reaches.
+/// How far the two origins lie from the true one, in parts of it and at least: over kLeastSpeed, that
+/// is farther than the world reaches.
 inline constexpr float kOriginSlack = 0x1p-22f;
 inline constexpr float kLeastOriginSlack = 0x1p-60f;
 
@@ -34,7 +35,7 @@ struct alignas(16) FloatRay {
     float origin_float[4];
     float dir_float[4];
 
-    // Slabs: 1 / dir, at most kMaxInverse; and the origin as the planes of a box see it that the
+    // Slabs: 1 / dir, of at least kLeastSpeed; and the origin as the planes of a box see it that the
     // ray passes first (near) and last (far), moved apart by its error.
     float origin_near[4];
     float origin_far[4];

@@ -56,15 +56,14 @@ inline PreparedRay set_out(DVec3 origin, DVec3 dir) {
 /// Works out the rest of a ray. Walks do it for themselves, with vectors (simd/blocks-inl.h).
 inline void prepare_floats(FloatRay& ray) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float inverse = 1.0f / ray.dir_float[axis];
-        const float limited = inverse > kMaxInverse    ? kMaxInverse
-                              : inverse < -kMaxInverse ? -kMaxInverse
-                                                       : inverse;
+        const float speed = std::fabs(ray.dir_float[axis]);
+        const float inverse =
+            1.0f / std::copysign(speed > kLeastSpeed ? speed : kLeastSpeed, ray.dir_float[axis]);
         const float origin = ray.origin_float[axis];
         const float slack = std::fabs(origin) * kOriginSlack + kLeastOriginSlack;
         const float ahead = std::copysign(slack, ray.dir_float[axis]);
-        ray.inv_dir[axis] = limited;
-        ray.inv_dir_far[axis] = limited * kExitFactor;
+        ray.inv_dir[axis] = inverse;
+        ray.inv_dir_far[axis] = inverse * kExitFactor;
         ray.origin_near[axis] = origin + ahead;
         ray.origin_far[axis] = origin - ahead;
         ray.near_side[axis] = std::signbit(ray.dir_float[axis]) ? 1 : 0;

@@ -29,6 +29,18 @@ inline constexpr double kGrazing = 1.0 / 16.0;
 inline constexpr float kOriginSlack = 0x1p-22f;
 inline constexpr float kLeastOriginSlack = 0x1p-60f;
 
+/// Slabs for nodes in one operation a plane: near * inv_dir - near_shift, far * inv_dir_far -
+/// far_shift. Their origins are those of FloatRay moved apart by twice kOriginSlack more, 8 roundings
+/// of the origin, of which its sums and products take 4; inv_dir_far is larger by another
+/// kSlabSlack, which is more than the other roundings. So no node is entered later or left sooner
+/// than by FloatRay's slabs. Not for rays of which a shift is infinite.
+struct NodeSlabs {
+    float near_shift[4];
+    float far_shift[4];
+    float inv_dir_far[4];
+    bool are_finite;
+};
+
 /// Shape: [axis]; the fourth is there for vectors of four and means nothing. Made by set_out() and
 /// prepare_floats() of prepared_ray.h.
 struct alignas(16) FloatRay {
@@ -42,6 +54,7 @@ struct alignas(16) FloatRay {
     float inv_dir[4];
     float inv_dir_far[4];        // larger by the slack of slabs: it makes them be left later
     std::uint32_t near_side[4];  // of a box, that the ray passes first: 0 the lower, 1 the upper
+    NodeSlabs node_slabs;        // of walks with vectors
 
     // Triangles: axes[2] is the one along which the ray runs fastest, and adding
     // (-shear_x, -shear_y) z to the x and y of a vertex (along axes[0], axes[1], z along axes[2],

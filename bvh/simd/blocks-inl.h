@@ -32,10 +32,15 @@ HWY_INLINE const BoxNode& node_at(const BoxTreeView& tree, BoxChild node) {
                                              std::size_t{node} * kNodeUnitBytes);
 }
 
-HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
+template <class D, class M>
+HWY_INLINE std::uint32_t bits_of_step(D d, M mask) {
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(Floats(), mask, bits);
+    hn::StoreMaskBits(d, mask, bits);
     return bits[0];
+}
+
+HWY_INLINE std::uint32_t bits_of(FloatMask mask) {
+    return bits_of_step(Floats(), mask);
 }
 
 /// The greater of two floats, by their bits as whole numbers, which takes a fourth of the time of
@@ -80,6 +85,19 @@ using FourFloats = hn::FixedTag<float, 4>;
 inline constexpr std::uint32_t kAxes[2][2][4] = {{{1, 2, 0, 0}, {2, 0, 1, 0}},
                                                  {{0, 1, 2, 0}, {0, 1, 2, 0}}};
 
+HWY_INLINE void prepare_node_slabs(const Slabs<FourFloats>& slabs, NodeSlabs& result) {
+    const FourFloats d;
+    const auto spread = hn::Sub(slabs.origin_near, slabs.origin_far);
+    const auto inv_dir_far = hn::Mul(slabs.inv_dir, hn::Set(d, 1.0f + 2.0f * kSlabSlack));
+    const auto near_shift = hn::Mul(hn::Add(slabs.origin_near, spread), slabs.inv_dir);
+    const auto far_shift = hn::Mul(hn::Sub(slabs.origin_far, spread), inv_dir_far);
+    hn::Store(near_shift, d, result.near_shift);
+    hn::Store(far_shift, d, result.far_shift);
+    hn::Store(inv_dir_far, d, result.inv_dir_far);
+    const auto largest = hn::Max(hn::Abs(near_shift), hn::Abs(far_shift));
+    result.are_finite = (bits_of_step(d, hn::Lt(largest, hn::Set(d, 0x1p127f))) & 7u) == 7u;
+}
+
 /// prepare_floats() of prepared_ray.h, without branches: rays after each other may run anywhere.
 HWY_INLINE void prepare_ray(FloatRay& ray) {
     const FourFloats d;
@@ -91,6 +109,7 @@ HWY_INLINE void prepare_ray(FloatRay& ray) {
     hn::Store(slabs.inv_dir, d, ray.inv_dir);
     hn::Store(slabs.inv_dir_far, d, ray.inv_dir_far);
     hn::Store(hn::ShiftRight<31>(hn::BitCast(w, dir)), w, ray.near_side);
+    prepare_node_slabs(slabs, ray.node_slabs);
 
     alignas(16) float speed[4];
     hn::Store(hn::Abs(dir), d, speed);
@@ -130,39 +149,51 @@ HWY_INLINE SlabPlanes make_slab_planes(const FloatRay& ray, const BoxNode* nodes
     return result;
 }
 
-/// A ray, for slabs, in registers.
+/// A ray, for the slabs of nodes, in registers. Fused: NodeSlabs.
+template <bool is_fused>
 struct SlabRay {
-    FloatVec origin_near[3];
-    FloatVec origin_far[3];
+    FloatVec near_origin[3];  // fused: near_shift
+    FloatVec far_origin[3];   // fused: far_shift
     FloatVec inv_dir[3];
     FloatVec inv_dir_far[3];
     FloatVec lo;
 };
 
-HWY_INLINE SlabRay make_slab_ray(const Walk& walk) {
+template <bool is_fused>
+HWY_INLINE SlabRay<is_fused> make_slab_ray(const Walk& walk) {
     const Floats d;
     const FloatRay& ray = *opaque(walk.ray);
-    return {{hn::Set(d, ray.origin_near[0]), hn::Set(d, ray.origin_near[1]),
-             hn::Set(d, ray.origin_near[2])},
-            {hn::Set(d, ray.origin_far[0]), hn::Set(d, ray.origin_far[1]),
-             hn::Set(d, ray.origin_far[2])},
+    const float* const near = is_fused ? ray.node_slabs.near_shift : ray.origin_near;
+    const float* const far = is_fused ? ray.node_slabs.far_shift : ray.origin_far;
+    const float* const inv_dir_far = is_fused ? ray.node_slabs.inv_dir_far : ray.inv_dir_far;
+    return {{hn::Set(d, near[0]), hn::Set(d, near[1]), hn::Set(d, near[2])},
+            {hn::Set(d, far[0]), hn::Set(d, far[1]), hn::Set(d, far[2])},
             {hn::Set(d, ray.inv_dir[0]), hn::Set(d, ray.inv_dir[1]), hn::Set(d, ray.inv_dir[2])},
-            {hn::Set(d, ray.inv_dir_far[0]), hn::Set(d, ray.inv_dir_far[1]),
-             hn::Set(d, ray.inv_dir_far[2])},
+            {hn::Set(d, inv_dir_far[0]), hn::Set(d, inv_dir_far[1]), hn::Set(d, inv_dir_far[2])},
             hn::Set(d, walk.lo)};
 }
 
-template <int axis>
-HWY_INLINE FloatVec near_of(const SlabPlanes& planes, const SlabRay& ray, std::size_t offset) {
-    const auto* const plane = reinterpret_cast<const float*>(planes.near[axis] + offset);
-    return hn::Mul(hn::Sub(hn::Load(Floats(), plane), ray.origin_near[axis]), ray.inv_dir[axis]);
+template <bool is_fused>
+HWY_INLINE FloatVec slab(FloatVec plane, FloatVec origin, FloatVec inv_dir) {
+    if constexpr (is_fused) {
+        return hn::MulSub(plane, inv_dir, origin);
+    } else {
+        return hn::Mul(hn::Sub(plane, origin), inv_dir);
+    }
 }
 
-template <int axis>
-HWY_INLINE FloatVec far_of(const SlabPlanes& planes, const SlabRay& ray, std::size_t offset) {
+template <int axis, bool is_fused>
+HWY_INLINE FloatVec near_of(const SlabPlanes& planes, const SlabRay<is_fused>& ray,
+                            std::size_t offset) {
+    const auto* const plane = reinterpret_cast<const float*>(planes.near[axis] + offset);
+    return slab<is_fused>(hn::Load(Floats(), plane), ray.near_origin[axis], ray.inv_dir[axis]);
+}
+
+template <int axis, bool is_fused>
+HWY_INLINE FloatVec far_of(const SlabPlanes& planes, const SlabRay<is_fused>& ray,
+                           std::size_t offset) {
     const auto* const plane = reinterpret_cast<const float*>(planes.far[axis] + offset);
-    return hn::Mul(hn::Sub(hn::Load(Floats(), plane), ray.origin_far[axis]),
-                   ray.inv_dir_far[axis]);
+    return slab<is_fused>(hn::Load(Floats(), plane), ray.far_origin[axis], ray.inv_dir_far[axis]);
 }
 
 /// Where a ray enters children of a node, and which of them it is in between `lo` and `reach`.
@@ -173,8 +204,9 @@ struct BoxesMet {
 
 /// Of the children from `lane` on: a step of them. A box that is left at -0 may be met or not: no
 /// hit in it counts.
+template <bool is_fused>
 HWY_INLINE BoxesMet meet_step(BoxChild node, std::uint32_t lane, const SlabPlanes& planes,
-                              const SlabRay& ray, FloatVec reach) {
+                              const SlabRay<is_fused>& ray, FloatVec reach) {
     const std::size_t at = std::size_t{node} * kNodeUnitBytes + lane * sizeof(float);
     const Floats d;
     const FloatVec entry =
@@ -188,8 +220,10 @@ HWY_INLINE BoxesMet meet_step(BoxChild node, std::uint32_t lane, const SlabPlane
 }
 
 /// Of all children: a bit for each that is met, and the entries as the bits of floats.
-HWY_INLINE std::uint32_t meet_boxes(BoxChild node, const SlabPlanes& planes, const SlabRay& ray,
-                                    FloatVec reach, std::uint32_t* HWY_RESTRICT entries) {
+template <bool is_fused>
+HWY_INLINE std::uint32_t meet_boxes(BoxChild node, const SlabPlanes& planes,
+                                    const SlabRay<is_fused>& ray, FloatVec reach,
+                                    std::uint32_t* HWY_RESTRICT entries) {
     const Words w;
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
@@ -337,13 +371,6 @@ HWY_INLINE DoubleVec load_wide(const float* from) {
 HWY_INLINE Vec3Doubles corner_at(const TriangleBlock& block, std::size_t corner, std::size_t lane) {
     const auto& planes = block.corners[corner];
     return {load_wide(planes[0] + lane), load_wide(planes[1] + lane), load_wide(planes[2] + lane)};
-}
-
-template <class D, class M>
-HWY_INLINE std::uint32_t bits_of_step(D d, M mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, mask, bits);
-    return bits[0];
 }
 
 /// plane_hit() of kernels/triangle.h, operation by operation. Of the lanes of `bits` returns those

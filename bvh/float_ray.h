@@ -13,7 +13,7 @@ inline constexpr float kLeastSpeed = 0x1p-124f;
 /// A box counts as left by so much later than computed. The slabs have three roundings, gamma(3);
 /// the sheared vertices of the triangle kernel are off by as much again; the rest is room to spare.
 /// Source: Ize 2013, "Robust BVH Ray Traversal", sec. 3.
-inline constexpr float kSlabSlack = 0x1p-19f;
+inline constexpr float kSlabSlack = 0x1p-17f;
 inline constexpr float kExitFactor = 1.0f + kSlabSlack;
 
 /// A hit at t may lie so much before the computed entry of its box.
@@ -21,25 +21,13 @@ inline constexpr float kEntryFactor = 1.0f - kSlabSlack;
 
 /// The sine of the angle between a ray and a plane, squared: below it what float loses along the
 /// ray is more than the slack of slabs. A sheared corner is off by six roundings at most, which
-/// this makes 24 of t; the slack is 32.
-inline constexpr double kGrazing = 1.0 / 16.0;
+/// this makes 96 of t; the slack is 128.
+inline constexpr double kGrazing = 1.0 / 256.0;
 
 /// How far the two origins lie from the true one, in parts of it and at least: over kLeastSpeed, that
 /// is farther than the world reaches.
 inline constexpr float kOriginSlack = 0x1p-22f;
 inline constexpr float kLeastOriginSlack = 0x1p-60f;
-
-/// Slabs for nodes in one operation a plane: near * inv_dir - near_shift, far * inv_dir_far -
-/// far_shift. Their origins are those of FloatRay moved apart by twice kOriginSlack more, 8 roundings
-/// of the origin, of which its sums and products take 4; inv_dir_far is larger by another
-/// kSlabSlack, which is more than the other roundings. So no node is entered later or left sooner
-/// than by FloatRay's slabs. Not for rays of which a shift is infinite.
-struct NodeSlabs {
-    float near_shift[4];
-    float far_shift[4];
-    float inv_dir_far[4];
-    bool are_finite;
-};
 
 /// Shape: [axis]; the fourth is there for vectors of four and means nothing. Made by set_out() and
 /// prepare_floats() of prepared_ray.h.
@@ -54,7 +42,6 @@ struct alignas(16) FloatRay {
     float inv_dir[4];
     float inv_dir_far[4];        // larger by the slack of slabs: it makes them be left later
     std::uint32_t near_side[4];  // of a box, that the ray passes first: 0 the lower, 1 the upper
-    NodeSlabs node_slabs;        // of walks with vectors
 
     // Triangles: axes[2] is the one along which the ray runs fastest, and adding
     // (-shear_x, -shear_y) z to the x and y of a vertex (along axes[0], axes[1], z along axes[2],

@@ -79,40 +79,25 @@ HWY_INLINE Slabs<D> make_slabs(D d, V origin, V dir) {
             hn::Mul(inverse, hn::Set(d, kExitFactor))};
 }
 
-using FourFloats = hn::FixedTag<float, 4>;
-
 /// Which axes a ray takes for x, y and z: [is z the fastest][is y faster than x].
 inline constexpr std::uint32_t kAxes[2][2][4] = {{{1, 2, 0, 0}, {2, 0, 1, 0}},
                                                  {{0, 1, 2, 0}, {0, 1, 2, 0}}};
 
-HWY_INLINE void prepare_node_slabs(const Slabs<FourFloats>& slabs, NodeSlabs& result) {
-    const FourFloats d;
-    const auto spread = hn::Sub(slabs.origin_near, slabs.origin_far);
-    const auto inv_dir_far = hn::Mul(slabs.inv_dir, hn::Set(d, 1.0f + 2.0f * kSlabSlack));
-    const auto near_shift = hn::Mul(hn::Add(slabs.origin_near, spread), slabs.inv_dir);
-    const auto far_shift = hn::Mul(hn::Sub(slabs.origin_far, spread), inv_dir_far);
-    hn::Store(near_shift, d, result.near_shift);
-    hn::Store(far_shift, d, result.far_shift);
-    hn::Store(inv_dir_far, d, result.inv_dir_far);
-    const auto largest = hn::Max(hn::Abs(near_shift), hn::Abs(far_shift));
-    result.are_finite = (bits_of_step(d, hn::Lt(largest, hn::Set(d, 0x1p127f))) & 7u) == 7u;
-}
-
 /// prepare_floats() of prepared_ray.h, without branches: rays after each other may run anywhere.
 HWY_INLINE void prepare_ray(FloatRay& ray) {
-    const FourFloats d;
-    const hn::RebindToUnsigned<FourFloats> w;
-    const auto dir = hn::Load(d, ray.dir_float);
-    const auto slabs = make_slabs(d, hn::Load(d, ray.origin_float), dir);
-    hn::Store(slabs.origin_near, d, ray.origin_near);
-    hn::Store(slabs.origin_far, d, ray.origin_far);
-    hn::Store(slabs.inv_dir, d, ray.inv_dir);
-    hn::Store(slabs.inv_dir_far, d, ray.inv_dir_far);
-    hn::Store(hn::ShiftRight<31>(hn::BitCast(w, dir)), w, ray.near_side);
-    prepare_node_slabs(slabs, ray.node_slabs);
-
+    const hn::CappedTag<float, 4> d;
+    const hn::RebindToUnsigned<decltype(d)> w;
     alignas(16) float speed[4];
-    hn::Store(hn::Abs(dir), d, speed);
+    for (std::size_t i = 0; i < 4; i += hn::MaxLanes(d)) {
+        const auto dir = hn::Load(d, ray.dir_float + i);
+        const auto slabs = make_slabs(d, hn::Load(d, ray.origin_float + i), dir);
+        hn::Store(slabs.origin_near, d, ray.origin_near + i);
+        hn::Store(slabs.origin_far, d, ray.origin_far + i);
+        hn::Store(slabs.inv_dir, d, ray.inv_dir + i);
+        hn::Store(slabs.inv_dir_far, d, ray.inv_dir_far + i);
+        hn::Store(hn::ShiftRight<31>(hn::BitCast(w, dir)), w, ray.near_side + i);
+        hn::Store(hn::Abs(dir), d, speed + i);
+    }
     const bool is_y_faster = !(speed[0] > speed[1]);
     const float x_or_y = speed[0] > speed[1] ? speed[0] : speed[1];
     const std::uint32_t* const axes = kAxes[x_or_y > speed[2] ? 0 : 1][is_y_faster ? 1 : 0];
@@ -149,51 +134,40 @@ HWY_INLINE SlabPlanes make_slab_planes(const FloatRay& ray, const BoxNode* nodes
     return result;
 }
 
-/// A ray, for the slabs of nodes, in registers. Fused: NodeSlabs.
-template <bool is_fused>
+/// A ray, for slabs, in registers.
 struct SlabRay {
-    FloatVec near_origin[3];  // fused: near_shift
-    FloatVec far_origin[3];   // fused: far_shift
+    FloatVec origin_near[3];
+    FloatVec origin_far[3];
     FloatVec inv_dir[3];
     FloatVec inv_dir_far[3];
     FloatVec lo;
 };
 
-template <bool is_fused>
-HWY_INLINE SlabRay<is_fused> make_slab_ray(const Walk& walk) {
+HWY_INLINE SlabRay make_slab_ray(const Walk& walk) {
     const Floats d;
     const FloatRay& ray = *opaque(walk.ray);
-    const float* const near = is_fused ? ray.node_slabs.near_shift : ray.origin_near;
-    const float* const far = is_fused ? ray.node_slabs.far_shift : ray.origin_far;
-    const float* const inv_dir_far = is_fused ? ray.node_slabs.inv_dir_far : ray.inv_dir_far;
-    return {{hn::Set(d, near[0]), hn::Set(d, near[1]), hn::Set(d, near[2])},
-            {hn::Set(d, far[0]), hn::Set(d, far[1]), hn::Set(d, far[2])},
-            {hn::Set(d, ray.inv_dir[0]), hn::Set(d, ray.inv_dir[1]), hn::Set(d, ray.inv_dir[2])},
-            {hn::Set(d, inv_dir_far[0]), hn::Set(d, inv_dir_far[1]), hn::Set(d, inv_dir_far[2])},
-            hn::Set(d, walk.lo)};
-}
-
-template <bool is_fused>
-HWY_INLINE FloatVec slab(FloatVec plane, FloatVec origin, FloatVec inv_dir) {
-    if constexpr (is_fused) {
-        return hn::MulSub(plane, inv_dir, origin);
-    } else {
-        return hn::Mul(hn::Sub(plane, origin), inv_dir);
+    SlabRay result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        result.origin_near[axis] = hn::Set(d, ray.origin_near[axis]);
+        result.origin_far[axis] = hn::Set(d, ray.origin_far[axis]);
+        result.inv_dir[axis] = hn::Set(d, ray.inv_dir[axis]);
+        result.inv_dir_far[axis] = hn::Set(d, ray.inv_dir_far[axis]);
     }
+    result.lo = hn::Set(d, walk.lo);
+    return result;
 }
 
-template <int axis, bool is_fused>
-HWY_INLINE FloatVec near_of(const SlabPlanes& planes, const SlabRay<is_fused>& ray,
+HWY_INLINE FloatVec near_of(std::size_t axis, const SlabPlanes& planes, const SlabRay& ray,
                             std::size_t offset) {
     const auto* const plane = reinterpret_cast<const float*>(planes.near[axis] + offset);
-    return slab<is_fused>(hn::Load(Floats(), plane), ray.near_origin[axis], ray.inv_dir[axis]);
+    return hn::Mul(hn::Sub(hn::Load(Floats(), plane), ray.origin_near[axis]), ray.inv_dir[axis]);
 }
 
-template <int axis, bool is_fused>
-HWY_INLINE FloatVec far_of(const SlabPlanes& planes, const SlabRay<is_fused>& ray,
+HWY_INLINE FloatVec far_of(std::size_t axis, const SlabPlanes& planes, const SlabRay& ray,
                            std::size_t offset) {
     const auto* const plane = reinterpret_cast<const float*>(planes.far[axis] + offset);
-    return slab<is_fused>(hn::Load(Floats(), plane), ray.far_origin[axis], ray.inv_dir_far[axis]);
+    return hn::Mul(hn::Sub(hn::Load(Floats(), plane), ray.origin_far[axis]),
+                   ray.inv_dir_far[axis]);
 }
 
 /// Where a ray enters children of a node, and which of them it is in between `lo` and `reach`.
@@ -204,25 +178,26 @@ struct BoxesMet {
 
 /// Of the children from `lane` on: a step of them. A box that is left at -0 may be met or not: no
 /// hit in it counts.
-template <bool is_fused>
 HWY_INLINE BoxesMet meet_step(BoxChild node, std::uint32_t lane, const SlabPlanes& planes,
-                              const SlabRay<is_fused>& ray, FloatVec reach) {
+                              const SlabRay& ray, FloatVec reach) {
     const std::size_t at = std::size_t{node} * kNodeUnitBytes + lane * sizeof(float);
     const Floats d;
-    const FloatVec entry =
-        greater_by_bits(d,
-                        greater_by_bits(d, near_of<0>(planes, ray, at), near_of<1>(planes, ray, at)),
-                        greater_by_bits(d, near_of<2>(planes, ray, at), ray.lo));
+    const FloatVec entry_x = near_of(0, planes, ray, at);
+    const FloatVec entry_y = near_of(1, planes, ray, at);
+    const FloatVec entry_z = near_of(2, planes, ray, at);
+    const FloatVec exit_x = far_of(0, planes, ray, at);
+    const FloatVec exit_y = far_of(1, planes, ray, at);
+    const FloatVec exit_z = far_of(2, planes, ray, at);
+    const FloatVec entry = greater_by_bits(d, greater_by_bits(d, entry_x, entry_y),
+                                           greater_by_bits(d, entry_z, ray.lo));
     const FloatVec exit =
-        lesser_by_bits(d, lesser_by_bits(d, far_of<0>(planes, ray, at), far_of<1>(planes, ray, at)),
-                       lesser_by_bits(d, far_of<2>(planes, ray, at), reach));
+        lesser_by_bits(d, lesser_by_bits(d, exit_x, exit_y), lesser_by_bits(d, exit_z, reach));
     return {entry, hn::Le(entry, exit)};
 }
 
 /// Of all children: a bit for each that is met, and the entries as the bits of floats.
-template <bool is_fused>
 HWY_INLINE std::uint32_t meet_boxes(BoxChild node, const SlabPlanes& planes,
-                                    const SlabRay<is_fused>& ray, FloatVec reach,
+                                    const SlabRay& ray, FloatVec reach,
                                     std::uint32_t* HWY_RESTRICT entries) {
     const Words w;
     std::uint32_t bits = 0;

@@ -68,9 +68,10 @@ HWY_INLINE BoxChild choose_child(const BoxNode& node, std::uint32_t bits,
     return child_of(*--top);
 }
 
-template <bool is_fused>
-HWY_INLINE bool walk_nearest_with(const BoxTreeView& tree, BoxChild root, Walk& walk) {
+/// Walks what is below a child, entering the nearest first. Returns true if a call ended the walk.
+HWY_NOINLINE bool walk_nearest_below(const BoxTreeView& tree, BoxChild root, Walk& walk) {
     const Floats d;
+    prepare_ray(*walk.ray);
     const SlabPlanes planes = make_slab_planes(*walk.ray, tree.nodes);
     FloatVec reach = hn::Set(d, walk.reach);
     Waiting stack[kMaxWaiting];
@@ -79,7 +80,7 @@ HWY_INLINE bool walk_nearest_with(const BoxTreeView& tree, BoxChild root, Walk& 
     std::uint64_t node_tests = 0;
     bool is_ended = false;
     for (;;) {
-        const SlabRay<is_fused> slab_ray = make_slab_ray<is_fused>(walk);
+        const SlabRay slab_ray = make_slab_ray(walk);
         bool is_empty = false;
         while (current < kFirstLeaf) {
             ++node_tests;
@@ -116,18 +117,10 @@ end:
     return is_ended;
 }
 
-/// Walks what is below a child, entering the nearest first. Returns true if a call ended the walk.
-HWY_NOINLINE bool walk_nearest_below(const BoxTreeView& tree, BoxChild root, Walk& walk) {
-    prepare_ray(*walk.ray);
-    return walk.ray->node_slabs.are_finite ? walk_nearest_with<true>(tree, root, walk)
-                                           : walk_nearest_with<false>(tree, root, walk);
-}
-
 /// Returns which children of a node the ray is in, a bit each, and writes these to `met` in the
 /// order of the lanes, without a branch.
-template <bool is_fused>
 HWY_INLINE std::uint32_t list_met(BoxChild node, const BoxChild* children,
-                                  const SlabPlanes& planes, const SlabRay<is_fused>& ray,
+                                  const SlabPlanes& planes, const SlabRay& ray,
                                   FloatVec reach,
                                   BoxChild* HWY_RESTRICT met) {
     const Words w;
@@ -141,8 +134,9 @@ HWY_INLINE std::uint32_t list_met(BoxChild node, const BoxChild* children,
     return bits;
 }
 
-template <bool is_fused>
-HWY_INLINE bool walk_any_with(const BoxTreeView& tree, BoxChild root, Walk& walk) {
+/// Walks what is below a child, in no particular order. Returns true if a call ended the walk.
+HWY_NOINLINE bool walk_any_below(const BoxTreeView& tree, BoxChild root, Walk& walk) {
+    prepare_ray(*walk.ray);
     const SlabPlanes planes = make_slab_planes(*walk.ray, tree.nodes);
     const FloatVec reach = hn::Set(Floats(), walk.reach);
     BoxChild stack[kMaxWaiting + kBoxWidth];
@@ -151,7 +145,7 @@ HWY_INLINE bool walk_any_with(const BoxTreeView& tree, BoxChild root, Walk& walk
     std::uint64_t node_tests = 0;
     bool is_ended = false;
     for (;;) {
-        const SlabRay<is_fused> slab_ray = make_slab_ray<is_fused>(walk);
+        const SlabRay slab_ray = make_slab_ray(walk);
         bool is_empty = false;
         while (current < kFirstLeaf) {
             ++node_tests;
@@ -172,13 +166,6 @@ HWY_INLINE bool walk_any_with(const BoxTreeView& tree, BoxChild root, Walk& walk
     }
     walk.node_tests += node_tests;
     return is_ended;
-}
-
-/// Walks what is below a child, in no particular order. Returns true if a call ended the walk.
-HWY_NOINLINE bool walk_any_below(const BoxTreeView& tree, BoxChild root, Walk& walk) {
-    prepare_ray(*walk.ray);
-    return walk.ray->node_slabs.are_finite ? walk_any_with<true>(tree, root, walk)
-                                           : walk_any_with<false>(tree, root, walk);
 }
 
 }  // namespace lray::bvh::HWY_NAMESPACE

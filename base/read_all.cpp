@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <new>
 #include <utility>
 
 namespace lray {
@@ -43,11 +42,7 @@ ReadAll read_growing(int fd, std::uint64_t expected_size, std::uint64_t max_size
 ReadAll read_all(int fd, std::uint64_t expected_size, std::uint64_t max_size) {
     max_size = std::min<std::uint64_t>(max_size, Sources::kMaxTextSize);
     if (expected_size > max_size) return {std::nullopt, true, 0};
-    try {
-        return read_growing(fd, expected_size, max_size);
-    } catch (const std::bad_alloc&) {
-        return {std::nullopt, false, ENOMEM};
-    }
+    return read_growing(fd, expected_size, max_size);
 }
 
 }  // namespace lray

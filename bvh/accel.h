@@ -1,6 +1,7 @@
 // The interface of every hierarchy: World -> nearest hit, any hit.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -23,18 +24,24 @@ struct BuildOptions {
     BuildQuality quality = BuildQuality::medium;
 };
 
-/// What tracing cost, added up per ray by whoever asks for it (--stats).
+/// What tracing cost, added up per ray by whoever asks for it (--stats); and whether it shall end.
 struct TraceCounts {
     std::uint64_t rays = 0;
     std::uint64_t node_tests = 0;       // nodes of a tree whose children were looked at
     std::uint64_t primitive_tests = 0;  // rays against primitives, those that missed included
     std::uint64_t instance_tests = 0;   // likewise, instances
 
+    /// Looked at now and then. Once it is set nothing in instances is met any more, of which a ray
+    /// may meet endlessly many: then `is_ended`, and what was found means nothing.
+    const std::atomic<bool>* cancel = nullptr;
+    bool is_ended = false;
+
     TraceCounts& operator+=(const TraceCounts& other) {
         rays += other.rays;
         node_tests += other.node_tests;
         primitive_tests += other.primitive_tests;
         instance_tests += other.instance_tests;
+        is_ended |= other.is_ended;
         return *this;
     }
 };

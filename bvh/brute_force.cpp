@@ -119,8 +119,7 @@ class BruteForce final : public Accel {
         for (const Run run : runs_of(part.visible, PrimitiveKind::instance)) {
             for (std::size_t i = run.first; i < run.last; ++i) {
                 const scene::WorldInstance& instance = part.geometry->instances[i];
-                ++counts.instance_tests;
-                const Interval inside = interval_in(instance, ray, up_to(best, interval));
+                const Interval inside = interval_in(instance, ray, up_to(best, interval), counts);
                 if (inside.is_empty()) continue;
                 nearest(prototypes_[instance.prototype], place + instance.first_place,
                         ray_in(instance, ray), inside, best, counts);
@@ -143,8 +142,7 @@ class BruteForce final : public Accel {
         for (const Run run : runs_of(part.casting, PrimitiveKind::instance)) {
             for (std::size_t i = run.first; i < run.last && !is_hit; ++i) {
                 const scene::WorldInstance& instance = part.geometry->instances[i];
-                ++counts.instance_tests;
-                const Interval inside = interval_in(instance, ray, interval);
+                const Interval inside = interval_in(instance, ray, interval, counts);
                 is_hit = !inside.is_empty() && any(prototypes_[instance.prototype],
                                                    ray_in(instance, ray), inside, counts);
             }

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "bvh/accel.h"
 #include "bvh/kernels/object_ray.h"
 #include "bvh/slab.h"
 #include "scene/world.h"
@@ -61,6 +64,16 @@ inline Interval interval_in(const scene::WorldInstance& instance, const Prepared
     const float lo = next_down(std::max(stretch.entry * kEntryFactor, round_down(fine_entry)));
     const float hi = next_up(std::min(stretch.exit, round_up(fine_exit)));
     return {lo > interval.lo ? lo : interval.lo, hi < interval.hi ? hi : interval.hi};
+}
+
+/// Likewise, counted; empty once tracing was ended.
+inline Interval interval_in(const scene::WorldInstance& instance, const PreparedRay& ray,
+                            Interval interval, TraceCounts& counts) {
+    constexpr std::uint64_t kBetweenLooks = 4096;
+    if (++counts.instance_tests % kBetweenLooks == 0 && counts.cancel != nullptr) {
+        counts.is_ended = counts.cancel->load(std::memory_order_relaxed);
+    }
+    return counts.is_ended ? Interval{0.0f, 0.0f} : interval_in(instance, ray, interval);
 }
 
 }  // namespace lray::bvh

@@ -22,8 +22,8 @@ struct Batch {
 };
 
 bvh::TraceCounts trace(const bvh::Accel& accel, Batch& batch, std::size_t size,
-                       bool is_cost_shown) {
-    bvh::TraceCounts counts;
+                       bool is_cost_shown, const std::atomic<bool>& cancel) {
+    bvh::TraceCounts counts{.cancel = &cancel};
     if (!is_cost_shown) {
         accel.nearest_hits(std::span(batch.rays).first(size),
                            std::span(batch.intervals).first(size),
@@ -31,7 +31,7 @@ bvh::TraceCounts trace(const bvh::Accel& accel, Batch& batch, std::size_t size,
         return counts;
     }
     for (std::size_t i = 0; i < size; ++i) {
-        batch.counts[i] = {};
+        batch.counts[i] = {.cancel = &cancel};
         batch.hits[i] = accel.nearest_hit(batch.rays[i], batch.intervals[i], batch.counts[i]);
         counts += batch.counts[i];
     }
@@ -67,7 +67,9 @@ std::uint32_t SampleTracer::add_sample(const PixelRect& part, std::uint32_t samp
             batch.rays[i] =
                 rays_.through(sample_position(options_.position, options_.seed, x, y, sample));
         }
-        counts += trace(accel_, batch, size, is_cost_shown);
+        const bvh::TraceCounts cost = trace(accel_, batch, size, is_cost_shown, cancel);
+        counts += cost;
+        if (cost.is_ended) break;
         for (std::uint32_t i = 0; i < size; ++i) {
             const Color color =
                 shade::shade(shading_, batch.rays[i], batch.hits[i], batch.counts[i]);

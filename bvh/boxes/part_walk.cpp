@@ -75,8 +75,7 @@ bool is_plain(const TriangleBlock& block, std::uint32_t lane, const TriangleFind
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
 void nearest_in(PartWalk& walk, const scene::WorldInstance& instance) {
-    ++walk.counts->instance_tests;
-    const Interval inside = interval_in(instance, walk.prepared(), walk.interval);
+    const Interval inside = interval_in(instance, walk.prepared(), walk.interval, *walk.counts);
     if (inside.is_empty()) return;
     PreparedRay local = set_out_in(instance, walk.prepared());
     find_nearest(*walk.parts, walk.parts->prototypes[instance.prototype],
@@ -86,8 +85,7 @@ void nearest_in(PartWalk& walk, const scene::WorldInstance& instance) {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
 bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
-    ++walk.counts->instance_tests;
-    const Interval inside = interval_in(instance, walk.prepared(), walk.interval);
+    const Interval inside = interval_in(instance, walk.prepared(), walk.interval, *walk.counts);
     if (inside.is_empty()) return false;
     PreparedRay local = set_out_in(instance, walk.prepared());
     return find_any(*walk.parts, walk.parts->prototypes[instance.prototype], local, inside,

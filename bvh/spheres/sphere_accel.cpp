@@ -138,8 +138,7 @@ class SphereAccel final : public Accel {
         const auto meet = [&](PrimitiveId id) {
             if (id.kind() == PrimitiveKind::instance) {
                 const scene::WorldInstance& instance = part.geometry->instances[id.index()];
-                ++counts.instance_tests;
-                const Interval inside = interval_in(instance, ray, interval);
+                const Interval inside = interval_in(instance, ray, interval, counts);
                 if (!inside.is_empty()) {
                     nearest(prototypes_[instance.prototype], place + instance.first_place,
                             ray_in(instance, ray), inside, best, counts);
@@ -167,8 +166,7 @@ class SphereAccel final : public Accel {
                 return intersect(*part.geometry, id, ray, interval).is_none();
             }
             const scene::WorldInstance& instance = part.geometry->instances[id.index()];
-            ++counts.instance_tests;
-            const Interval inside = interval_in(instance, ray, interval);
+            const Interval inside = interval_in(instance, ray, interval, counts);
             return inside.is_empty() ||
                    !any(prototypes_[instance.prototype], ray_in(instance, ray), inside, counts);
         };

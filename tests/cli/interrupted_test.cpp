@@ -25,6 +25,10 @@ class Interrupted : public LrayTest {
         for (int i = 0; i < sphere_count; ++i) {
             scene += "sphere { radius: 0.5, center: [0, 0, -" + std::to_string(i) + "] }\n";
         }
+        begin_scene(scene, accel);
+    }
+
+    void begin_scene(const std::string& scene, const std::string& accel) {
         directory_.write("scene.lrs", scene);
         directory_.write("image.png", "old");
         process_.emplace(
@@ -66,6 +70,20 @@ TEST_F(Interrupted, WhileTheHierarchyIsBuiltThereIsNothingToWrite) {
     EXPECT_TRUE(contains(result.err, "lray: interrupted; nothing was written")) << result.err;
     EXPECT_EQ(directory_.read("image.png"), "old");
     EXPECT_EQ(directory_.names(), (std::vector<std::string>{"image.png", "scene.lrs"}));
+}
+
+/// Things of two things each, one within the other: the first ray meets 2^60 in one place.
+TEST_F(Interrupted, ControlCEndsARayThatMeetsInstancesWithoutEnd) {
+    std::string scene = kScene;
+    scene += "let thing0 = group { sphere { radius: 1 } box { size: [1, 1, 1] } }\n";
+    for (int i = 1; i <= 60; ++i) {
+        const std::string inner = "thing" + std::to_string(i - 1);
+        scene += "let thing" + std::to_string(i) + " = group { " + inner + " { } " + inner + " { } }\n";
+    }
+    begin_scene(scene + "thing60 { }\n", "boxes");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    process_->send_signal(SIGINT);
+    EXPECT_EQ(process_->wait().exit_code, 130);
 }
 
 TEST_F(Interrupted, TerminationWritesWhatThereIsAndExits143) {

@@ -16,7 +16,8 @@ struct ReadAll {
 
 /// Reads to the end, also when there is less or more than `expected_size`. Read, not mapped: a
 /// mapping of a file that someone else shortens kills the process.
-/// Errors: no text, and the reason; std::bad_alloc. Never more than `max_size` + 1 bytes are reserved.
+/// Errors: no text, and the reason; std::bad_alloc. Never more than `max_size` + 1 bytes are
+/// reserved.
 ReadAll read_all(int fd, std::uint64_t expected_size, std::uint64_t max_size);
 
 }  // namespace lray

@@ -1,5 +1,5 @@
-// Four floats at once, for what is done to millions of boxes when a tree is built, and to every ray.
-// On x86-64 they are its baseline instructions; elsewhere plain code gives the same bits.
+// Four floats at once, for what is done to millions of boxes when a tree is built, and to every
+// ray. On x86-64 they are its baseline instructions; elsewhere plain code gives the same bits.
 #pragma once
 
 #ifdef __SSE2__

@@ -6,8 +6,8 @@
 
 namespace lray::bvh {
 
-/// Along an axis a ray runs at least so fast, for slabs: inverses are finite, none gives a NaN, and by
-/// them a box on whose face a ray runs is not left.
+/// Along an axis a ray runs at least so fast, for slabs: inverses are finite, none gives a NaN, and
+/// by them a box on whose face a ray runs is not left.
 inline constexpr float kLeastSpeed = 0x1p-124f;
 
 /// A box counts as left by so much later than computed. The slabs have three roundings, gamma(3);
@@ -24,8 +24,8 @@ inline constexpr float kEntryFactor = 1.0f - kSlabSlack;
 /// this makes 96 of t; the slack is 128.
 inline constexpr double kGrazing = 1.0 / 256.0;
 
-/// How far the two origins lie from the true one, in parts of it and at least: over kLeastSpeed, that
-/// is farther than the world reaches.
+/// How far the two origins lie from the true one, in parts of it and at least: over kLeastSpeed,
+/// that is farther than the world reaches.
 inline constexpr float kOriginSlack = 0x1p-22f;
 inline constexpr float kLeastOriginSlack = 0x1p-60f;
 
@@ -35,8 +35,8 @@ struct alignas(16) FloatRay {
     float origin_float[4];
     float dir_float[4];
 
-    // Slabs: 1 / dir, of at least kLeastSpeed; and the origin as the planes of a box see it that the
-    // ray passes first (near) and last (far), moved apart by its error.
+    // Slabs: 1 / dir, of at least kLeastSpeed; and the origin as the planes of a box see it that
+    // the ray passes first (near) and last (far), moved apart by its error.
     float origin_near[4];
     float origin_far[4];
     float inv_dir[4];

@@ -41,7 +41,8 @@ inline PreparedRay set_out(const Ray& ray) {
     return result;
 }
 
-/// Likewise. Space: any, if `dir` keeps the length that the way there gives it: t stays the world's.
+/// Likewise. Space: any, if `dir` keeps the length that the way there gives it: t stays the
+/// world's.
 inline PreparedRay set_out(DVec3 origin, DVec3 dir) {
     const Vec3 origin_float{origin};
     const Vec3 dir_float{dir};
@@ -53,7 +54,7 @@ inline PreparedRay set_out(DVec3 origin, DVec3 dir) {
     return result;
 }
 
-/// Works out the rest of a ray. Walks do it for themselves, with vectors (simd/blocks-inl.h).
+/// Works out the rest of a ray. Walks do it for themselves, with vectors (simd/slabs-inl.h).
 inline void prepare_floats(FloatRay& ray) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float speed = std::fabs(ray.dir_float[axis]);

@@ -21,8 +21,8 @@ struct Batch {
     std::array<bvh::TraceCounts, kMaxBatchSize> counts;  // of each ray, where its cost is shown
 };
 
-bvh::TraceCounts trace(const bvh::Accel& accel, Batch& batch, std::size_t size,
-                       bool is_cost_shown, const std::atomic<bool>& cancel) {
+bvh::TraceCounts trace(const bvh::Accel& accel, Batch& batch, std::size_t size, bool is_cost_shown,
+                       const std::atomic<bool>& cancel) {
     bvh::TraceCounts counts{.cancel = &cancel};
     if (!is_cost_shown) {
         accel.nearest_hits(std::span(batch.rays).first(size),

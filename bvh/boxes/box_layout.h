@@ -65,7 +65,7 @@ struct BoxTreeView {
     const BoxNode* nodes = nullptr;
     const TriangleBlock* triangles = nullptr;
     const SphereBlock* spheres = nullptr;  // null: there are none
-    const std::uint32_t* list = nullptr;  // values of PrimitiveId; a leaf lists one kind only
+    const std::uint32_t* list = nullptr;   // values of PrimitiveId; a leaf lists one kind only
 };
 
 }  // namespace lray::bvh

@@ -35,42 +35,32 @@ Hit meet(const PartWalk& walk, const SphereBlock& block, std::uint32_t lane) {
     return {hit.t, hit.u, hit.v, PrimitiveId::of_value(block.ids[lane]), walk.place, hit.normal};
 }
 
-/// Returns the hit that intersect_triangle() would work out again. Not for halves of rectangles.
-[[gnu::noinline]] Hit finish(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
-                             const TriangleFinds& finds) {
-    const EdgeAreas<float> areas{finds.area_a[lane], finds.area_b[lane], finds.area_c[lane]};
+EdgeAreas<float> areas_of(const TriangleFinds& finds, std::uint32_t lane) {
+    return {finds.area_a[lane], finds.area_b[lane], finds.area_c[lane]};
+}
+
+/// True of a triangle that is hit at the t of its plane, where its areas say.
+bool is_plain(const TriangleBlock& block, std::uint32_t lane, const TriangleFinds& finds) {
+    const EdgeAreas<float> areas = areas_of(finds, lane);
+    return PrimitiveId::of_value(block.ids[lane]).kind() == PrimitiveKind::triangle &&
+           (finds.grazing >> lane & 1) == 0 && are_sure(areas, areas.a + areas.b + areas.c);
+}
+
+/// Returns the hit of any other, which intersect() would work out again.
+[[gnu::noinline]] Hit meet(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
+                           const TriangleFinds& finds) {
+    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
+    if (id.kind() != PrimitiveKind::triangle) return meet(walk, id);
     const PlaneHit plane{
         finds.t[lane],
         (finds.grazing >> lane & 1) != 0,
         {finds.normal[0][lane], finds.normal[1][lane], finds.normal[2][lane]},
     };
     KernelHit hit;
-    if (!finish_triangle(corner_of(block, 0, lane), corner_of(block, 1, lane),
-                         corner_of(block, 2, lane), areas, plane, walk.prepared(), walk.interval,
-                         hit)) {
-        return {};
-    }
-    return {hit.t,    hit.u,     hit.v, PrimitiveId::of_value(block.ids[lane]), walk.place,
-            hit.normal};
-}
-
-/// Returns the hit of what has a lane in a block of triangles.
-[[gnu::noinline]] Hit meet(const PartWalk& walk, const TriangleBlock& block, std::uint32_t lane,
-                           const TriangleFinds& finds) {
-    const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
-    return id.kind() == PrimitiveKind::triangle ? finish(walk, block, lane, finds)
-                                                : meet(walk, id);
-}
-
-/// True of a triangle of which finish_triangle() has nothing more to work out, but for
-/// barycentric coordinates: areas of some size, a plane that is not grazed.
-bool is_plain(const TriangleBlock& block, std::uint32_t lane, const TriangleFinds& finds,
-              float area_sum) {
-    const float magnitude = std::fabs(area_sum);
-    return PrimitiveId::of_value(block.ids[lane]).kind() == PrimitiveKind::triangle &&
-           (finds.grazing >> lane & 1) == 0 && finds.area_a[lane] != 0.0f &&
-           finds.area_b[lane] != 0.0f && finds.area_c[lane] != 0.0f &&
-           magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity;
+    const bool is_hit = finish_triangle(corner_of(block, 0, lane), corner_of(block, 1, lane),
+                                        corner_of(block, 2, lane), areas_of(finds, lane), plane,
+                                        walk.prepared(), walk.interval, hit);
+    return is_hit ? Hit{hit.t, hit.u, hit.v, id, walk.place, hit.normal} : Hit{};
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
@@ -95,8 +85,7 @@ bool any_in(const PartWalk& walk, const scene::WorldInstance& instance) {
 Met nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                      const TriangleFinds& finds) {
     auto& self = static_cast<PartWalk&>(walk);
-    const float sum = finds.area_a[lane] + finds.area_b[lane] + finds.area_c[lane];
-    if (!is_plain(block, lane, finds, sum)) [[unlikely]] {
+    if (!is_plain(block, lane, finds)) [[unlikely]] {
         return self.keep(meet(self, block, lane, finds)) ? Met::nearer_hit : Met::nothing;
     }
     const float t = finds.t[lane];
@@ -104,9 +93,11 @@ Met nearest_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
     Hit& best = *self.best;
     if (!self.interval.contains(t) || !is_closer(t, self.place, id, best)) return Met::nothing;
     // One by one: copied as one, what was just written would be waited for.
+    const EdgeAreas<float> areas = areas_of(finds, lane);
+    const float sum = areas.a + areas.b + areas.c;
     best.t = t;
-    best.u = finds.area_b[lane] / sum;
-    best.v = finds.area_c[lane] / sum;
+    best.u = areas.b / sum;
+    best.v = areas.c / sum;
     best.primitive_id = id;
     best.place = self.place;
     best.normal.x = finds.normal[0][lane];
@@ -140,10 +131,8 @@ Met any_triangle(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                  const TriangleFinds& finds) {
     const auto& self = static_cast<const PartWalk&>(walk);
     if (!self.casts_shadow(PrimitiveId::of_value(block.ids[lane]))) return Met::nothing;
-    const float sum = finds.area_a[lane] + finds.area_b[lane] + finds.area_c[lane];
-    const bool is_hit = is_plain(block, lane, finds, sum)
-                            ? self.interval.contains(finds.t[lane])
-                            : !meet(self, block, lane, finds).is_none();
+    const bool is_hit = is_plain(block, lane, finds) ? self.interval.contains(finds.t[lane])
+                                                     : !meet(self, block, lane, finds).is_none();
     return is_hit ? Met::end : Met::nothing;
 }
 

@@ -114,8 +114,8 @@ inline bool find_any(const BoxParts& parts, const BoxPart& part, PreparedRay& ra
                      Interval interval, TraceCounts& counts) {
     PartWalk walk(parts, part, 0, ray, interval, counts);
     walk.seek_any();
-    const bool is_hit = (!part.tree.planes.empty() && walk.meets_plane()) ||
-                        parts.walks.any(part.tree.view, walk);
+    const bool is_hit =
+        (!part.tree.planes.empty() && walk.meets_plane()) || parts.walks.any(part.tree.view, walk);
     walk.add_counts();
     return is_hit;
 }

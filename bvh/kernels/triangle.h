@@ -134,6 +134,14 @@ inline double triangle_hit_t(Vec3 a, Vec3 b, Vec3 c, const TrianglePlane& plane,
     return triangle_t(a, plane, stretch, ray);
 }
 
+/// True if areas that do not have two signs say for sure that the triangle is hit, and where: none
+/// is 0, which may have been rounded to it.
+inline bool are_sure(const EdgeAreas<float>& areas, float sum) {
+    const float magnitude = std::fabs(sum);
+    return areas.a != 0.0f && areas.b != 0.0f && areas.c != 0.0f &&
+           magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity;
+}
+
 /// Returns the barycentric coordinates of the hit of b and c, worked out in double. None if the
 /// areas have two signs or are 0.
 inline std::optional<Vec2> exact_barycentric(Vec3 a, Vec3 b, Vec3 c, const PreparedRay& ray) {
@@ -173,11 +181,9 @@ inline bool finish_triangle(Vec3 a, Vec3 b, Vec3 c, const EdgeAreas<float>& area
     }
     if (!interval.contains(t)) return false;
     const float sum = areas.a + areas.b + areas.c;
-    const float magnitude = std::fabs(sum);
     hit.u = areas.b / sum;
     hit.v = areas.c / sum;
-    if (areas.a == 0.0f || areas.b == 0.0f || areas.c == 0.0f ||
-        !(magnitude >= std::numeric_limits<float>::min() && magnitude < kInfinity)) [[unlikely]] {
+    if (!are_sure(areas, sum)) [[unlikely]] {
         const std::optional<Vec2> exact = exact_barycentric(a, b, c, ray);
         if (!exact) return false;
         hit.u = exact->x;

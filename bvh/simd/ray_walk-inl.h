@@ -119,10 +119,8 @@ end:
 
 /// Returns which children of a node the ray is in, a bit each, and writes these to `met` in the
 /// order of the lanes, without a branch.
-HWY_INLINE std::uint32_t list_met(BoxChild node, const BoxChild* children,
-                                  const SlabPlanes& planes, const SlabRay& ray,
-                                  FloatVec reach,
-                                  BoxChild* HWY_RESTRICT met) {
+HWY_INLINE std::uint32_t list_met(BoxChild node, const BoxChild* children, const SlabPlanes& planes,
+                                  const SlabRay& ray, FloatVec reach, BoxChild* HWY_RESTRICT met) {
     const Words w;
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
@@ -150,7 +148,8 @@ HWY_NOINLINE bool walk_any_below(const BoxTreeView& tree, BoxChild root, Walk& w
         while (current < kFirstLeaf) {
             ++node_tests;
             const BoxNode& node = node_at(tree, current);
-            const std::uint32_t bits = list_met(current, node.children, planes, slab_ray, reach, top);
+            const std::uint32_t bits =
+                list_met(current, node.children, planes, slab_ray, reach, top);
             is_empty = bits == 0;
             if (is_empty) break;
             // The last of them is next: known sooner from its lane than from the list.

@@ -91,7 +91,8 @@ HWY_INLINE bool prepare_axis(Tile& tile, std::size_t axis, std::uint32_t count) 
     const RayFloats d;
     std::uint32_t negative_count = 0;
     for (std::uint32_t i = 0; i < count; i += kRayStep) {
-        const auto slabs = make_slabs(d, hn::Load(d, tile.origin[axis] + i), hn::Load(d, tile.dir[axis] + i));
+        const auto slabs =
+            make_slabs(d, hn::Load(d, tile.origin[axis] + i), hn::Load(d, tile.dir[axis] + i));
         hn::Store(slabs.origin_near, d, tile.origin_near[axis] + i);
         hn::Store(slabs.origin_far, d, tile.origin_far[axis] + i);
         hn::Store(slabs.inv_dir, d, tile.inv_dir[axis] + i);

@@ -78,7 +78,8 @@ TEST_F(Interrupted, ControlCEndsARayThatMeetsInstancesWithoutEnd) {
     scene += "let thing0 = group { sphere { radius: 1 } box { size: [1, 1, 1] } }\n";
     for (int i = 1; i <= 60; ++i) {
         const std::string inner = "thing" + std::to_string(i - 1);
-        scene += "let thing" + std::to_string(i) + " = group { " + inner + " { } " + inner + " { } }\n";
+        scene +=
+            "let thing" + std::to_string(i) + " = group { " + inner + " { } " + inner + " { } }\n";
     }
     begin_scene(scene + "thing60 { }\n", "boxes");
     std::this_thread::sleep_for(std::chrono::milliseconds(300));

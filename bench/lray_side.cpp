@@ -51,6 +51,7 @@ void LraySide::trace_singly(std::size_t first, std::size_t count, bvh::TraceCoun
         if (rays_->is_any_hit) {
             are_hit_[i] = accel_->any_hit(ray, interval, counts);
         } else {
+            // In place: what was just written would be waited for by a copy.
             new (&hits_[i]) bvh::Hit(accel_->nearest_hit(ray, interval, counts));
         }
     }

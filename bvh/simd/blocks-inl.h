@@ -103,7 +103,7 @@ HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const W
         hn::Store(exit, d, finds.exit + i);
         const auto is_met = hn::And(hn::Le(entry, hn::Min(exit, hn::Set(d, walk.reach))),
                                     hn::Ge(exit, hn::Set(d, walk.lo)));
-        met |= bits_of(is_met) << i;
+        met |= bits_of(d, is_met) << i;
     }
     return met & bits;
 }
@@ -112,7 +112,7 @@ HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const W
 HWY_INLINE std::uint32_t lanes_there(const std::uint32_t* ids, Walk& walk) {
     const Words w;
     const auto is_there = hn::Ne(hn::Load(w, ids), hn::Set(w, kNoLane));
-    const std::uint32_t there = bits_of(hn::RebindMask(Floats(), is_there));
+    const std::uint32_t there = bits_of(Floats(), hn::RebindMask(Floats(), is_there));
     walk.primitive_tests += hwy::PopCount(there);
     return there;
 }
@@ -180,10 +180,10 @@ HWY_INLINE std::uint32_t meet_triangle_planes(const TriangleBlock& block, const 
         const auto t = hn::DemoteTo(narrow, in_box);
         const DoubleVec limit =
             hn::Mul(hn::Mul(hn::Set(d, kGrazing), dot(normal, normal)), dot(dir, dir));
-        const std::uint32_t steep = bits_of_step(d, hn::Ge(hn::Mul(slope, slope), limit));
-        const std::uint32_t sloped = bits_of_step(d, hn::Ne(slope, hn::Zero(d)));
-        const std::uint32_t ahead = bits_of_step(narrow, hn::Gt(t, hn::Set(narrow, walk.lo)));
-        const std::uint32_t near = bits_of_step(narrow, hn::Le(t, hn::Set(narrow, walk.reach)));
+        const std::uint32_t steep = bits_of(d, hn::Ge(hn::Mul(slope, slope), limit));
+        const std::uint32_t sloped = bits_of(d, hn::Ne(slope, hn::Zero(d)));
+        const std::uint32_t ahead = bits_of(narrow, hn::Gt(t, hn::Set(narrow, walk.lo)));
+        const std::uint32_t near = bits_of(narrow, hn::Le(t, hn::Set(narrow, walk.reach)));
         met |= (sloped & ahead & (near | ~steep)) << i;
         finds.grazing |= (~steep & ((1u << kDoubleStep) - 1)) << i;
         hn::Store(t, narrow, finds.t + i);
@@ -219,7 +219,7 @@ HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, Walk& walk,
         const FloatVec most = hn::Max(hn::Max(area_a, area_b), area_c);
         const auto has_two_signs = hn::And(hn::Lt(least, zero), hn::Gt(most, zero));
         const std::uint32_t there = lanes_there(block.ids + i, walk);
-        bits |= (there & ~bits_of(has_two_signs)) << i;
+        bits |= (there & ~bits_of(d, has_two_signs)) << i;
         hn::Store(area_a, d, finds.area_a + i);
         hn::Store(area_b, d, finds.area_b + i);
         hn::Store(area_c, d, finds.area_c + i);
@@ -266,7 +266,7 @@ HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, Walk& walk) {
             hn::Gt(across, limit),
             hn::Or(hn::Gt(entry, hn::Set(d, walk.reach)), hn::Lt(exit, hn::Set(d, walk.lo))));
         const std::uint32_t there = lanes_there(block.ids + i, walk);
-        bits |= (there & ~bits_of(is_missed)) << i;
+        bits |= (there & ~bits_of(d, is_missed)) << i;
     }
     return bits;
 }

@@ -68,10 +68,10 @@ HWY_INLINE BoxChild choose_child(const BoxNode& node, std::uint32_t bits,
     return child_of(*--top);
 }
 
-/// Walks what is below a child, entering the nearest first. Returns true if a call ended the walk.
+/// Walks what is below a child with a ray that is prepared, entering the nearest first. Returns
+/// true if a call ended the walk.
 HWY_NOINLINE bool walk_nearest_below(const BoxTreeView& tree, BoxChild root, Walk& walk) {
     const Floats d;
-    prepare_ray(*walk.ray);
     const SlabPlanes planes = make_slab_planes(*walk.ray, tree.nodes);
     FloatVec reach = hn::Set(d, walk.reach);
     Waiting stack[kMaxWaiting];
@@ -127,14 +127,13 @@ HWY_INLINE std::uint32_t list_met(BoxChild node, const BoxChild* children, const
         const FloatMask is_met = meet_step(node, i, planes, ray, reach).is_met;
         const auto listed = hn::Compress(hn::Load(w, children + i), hn::RebindMask(w, is_met));
         hn::StoreU(listed, w, met + hwy::PopCount(bits));
-        bits |= bits_of(is_met) << i;
+        bits |= bits_of(Floats(), is_met) << i;
     }
     return bits;
 }
 
-/// Walks what is below a child, in no particular order. Returns true if a call ended the walk.
+/// Likewise, in no particular order.
 HWY_NOINLINE bool walk_any_below(const BoxTreeView& tree, BoxChild root, Walk& walk) {
-    prepare_ray(*walk.ray);
     const SlabPlanes planes = make_slab_planes(*walk.ray, tree.nodes);
     const FloatVec reach = hn::Set(Floats(), walk.reach);
     BoxChild stack[kMaxWaiting + kBoxWidth];

@@ -124,7 +124,7 @@ HWY_INLINE std::uint32_t meet_boxes(const BoxNode& node, const TileBounds& bound
         const FloatVec exit = hn::Min(hn::Min(far_of(bounds.x, planes), far_of(bounds.y, planes)),
                                       hn::Min(far_of(bounds.z, planes), reach));
         hn::Store(entry, d, entries + i);
-        bits |= bits_of(hn::Le(entry, exit)) << i;
+        bits |= bits_of(d, hn::Le(entry, exit)) << i;
     }
     return bits;
 }
@@ -153,10 +153,7 @@ HWY_INLINE std::uint64_t rays_in(const float* planes, const Tile& tile, std::uin
             entry = hn::Max(entry, hn::Mul(near, hn::Load(d, tile.inv_dir[axis] + i)));
             exit = hn::Min(exit, hn::Mul(far, hn::Load(d, tile.inv_dir_far[axis] + i)));
         }
-        std::uint8_t mask[8] = {};
-        hn::StoreMaskBits(d, hn::Le(entry, exit), mask);
-        const std::uint64_t met = mask[0] | static_cast<std::uint64_t>(mask[1]) << 8;
-        bits |= met << i;
+        bits |= std::uint64_t{bits_of(d, hn::Le(entry, exit))} << i;
         if (i + kRayStep == kMaxTileRays) break;
     }
     return bits & wanted;

@@ -11,11 +11,15 @@ HWY_BEFORE_NAMESPACE();
 namespace lray::bvh::HWY_NAMESPACE {
 
 bool walk_nearest(const BoxTreeView& tree, Walk& walk) {
-    return !tree.is_empty && walk_nearest_below(tree, tree.root, walk);
+    if (tree.is_empty) return false;
+    prepare_ray(*walk.ray);
+    return walk_nearest_below(tree, tree.root, walk);
 }
 
 bool walk_any(const BoxTreeView& tree, Walk& walk) {
-    return !tree.is_empty && walk_any_below(tree, tree.root, walk);
+    if (tree.is_empty) return false;
+    prepare_ray(*walk.ray);
+    return walk_any_below(tree, tree.root, walk);
 }
 
 bool walk_nearest_tile(const BoxTreeView& tree, Tile& tile) {

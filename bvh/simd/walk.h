@@ -22,7 +22,7 @@ struct SphereRay {
 };
 
 /// Of triangles that the ray may meet, by lane of their block.
-struct alignas(64) TriangleFinds {
+struct alignas(32) TriangleFinds {
     float area_a[kBoxWidth];  // twice the signed areas opposite the corners
     float area_b[kBoxWidth];
     float area_c[kBoxWidth];

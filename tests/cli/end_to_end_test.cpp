@@ -1,6 +1,8 @@
 // The program as people run it: pictures, messages and exit codes.
 #include <gtest/gtest.h>
+
 #include <unistd.h>
+#include <filesystem>
 
 #include <array>
 
@@ -327,6 +329,17 @@ TEST_F(EndToEnd, MemoryBeyondItsLimitIsTold) {
     EXPECT_EQ(contains(result.err, "`--max-memory N`"), cli::kCanLimitMemory) << result.err;
     const auto enough = run({"--check", "scene.lrs", "--max-memory", "500000000"});
     EXPECT_EQ(enough.exit_code, 0) << enough.err;
+}
+
+TEST_F(EndToEnd, FileBeyondTheLimitOfMemoryIsNotCalledUnreadable) {
+    directory_.write("scene.lrs", "mesh { file: \"zeros.obj\" }\n");
+    directory_.write("zeros.obj", "");
+    std::filesystem::resize_file(std::filesystem::path(directory_.path()) / "zeros.obj",
+                                 200'000'000);
+    const auto result = run({"--check", "scene.lrs", "--max-memory", "50000000"});
+    EXPECT_EQ(result.exit_code, cli::kCanLimitMemory ? 3 : 1) << result.err;
+    EXPECT_EQ(contains(result.err, "not enough memory"), cli::kCanLimitMemory) << result.err;
+    EXPECT_FALSE(contains(result.err, "E0604")) << result.err;
 }
 
 TEST_F(EndToEnd, LimitsExit3) {

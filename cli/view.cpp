@@ -93,20 +93,20 @@ std::variant<View, Failure> choose_view(const scene::Scene& scene, const scene::
     const bool has_camera = camera != scene.cameras.end();
     View view;
     view.render_options.resolution = scene.render.resolution;
-    view.render_options.background = scene.render.background;
+    view.render_options.shading.background = scene.render.background;
     if (has_camera) {
         view.camera = *camera;
         view.render_options.resolution =
             camera->resolution.value_or(view.render_options.resolution);
-        view.render_options.background =
-            camera->background.value_or(view.render_options.background);
+        view.render_options.shading.background =
+            camera->background.value_or(view.render_options.shading.background);
     }
     view.render_options.resolution = options.size.value_or(view.render_options.resolution);
     view.render_options.crop = options.crop;
     view.render_options.samples = samples_of(scene, has_camera ? &*camera : nullptr, options);
     view.render_options.position = options.position;
     view.render_options.seed = options.seed.value_or(scene.render.seed);
-    view.render_options.shader = options.shader;
+    view.render_options.shading.shader = options.shader;
     view.render_options.thread_count = options.thread_count;
     // Without a hierarchy a ray may take long: stopping must not wait for many.
     if (options.accel == bvh::AccelKind::none) view.render_options.batch_size = 1;

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/vec.h"
+#include "base/sampler.h"
 #include "scene/camera.h"
-#include "shade/shader.h"
+#include "shade/settings.h"
 
 namespace lray::render {
 
@@ -37,11 +37,11 @@ enum class PixelPosition : std::uint8_t { center, random };
 struct RenderOptions {
     scene::Resolution resolution{};
     std::optional<PixelRect> crop{};  // empty: all. Asserts that it lies inside and is not empty
-    Color background{0.0f};
-    SampleRange samples{};  // asserts that it holds some, and at most Film::kMaxSamples
+    SampleRange samples{};            // asserts that it holds some, and at most Film::kMaxSamples
     PixelPosition position = PixelPosition::center;
-    std::uint64_t seed = 0;  // of the random positions
-    shade::Shader shader = shade::Shader::flat;
+    SamplerKind sampler = SamplerKind::sobol;
+    std::uint64_t seed = 0;          // of all that is chosen at random
+    shade::Settings shading{};       // its depth_unit is set by the camera
     std::uint32_t thread_count = 0;  // 0: all
     /// Rays that are traced together, and so between two looks at whether to stop. Any number gives
     /// the same picture; one at a time is right where each ray takes long.

@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "render/pixel_sample.h"
+#include "shade/depth.h"
 
 namespace lray::render {
 
@@ -45,9 +46,9 @@ SampleTracer::SampleTracer(const scene::World& world, const bvh::Accel& accel,
     : accel_(accel),
       rays_(camera, options.resolution),
       options_(options),
-      shading_{world, options.shader, options.background,
-               shade::depth_unit(camera.position, camera.look_at)} {
+      shading_{world, options.shading} {
     LRAY_ASSERT(options.batch_size > 0);
+    shading_.settings.depth_unit = shade::depth_unit(camera.position, camera.look_at);
     options_.batch_size = std::min(options.batch_size, kMaxBatchSize);
 }
 
@@ -56,7 +57,7 @@ std::uint32_t SampleTracer::add_sample(const PixelRect& part, std::uint32_t samp
                                        const std::atomic<bool>& cancel) const {
     LRAY_DCHECK(film.width() == part.width() && film.height() == part.height());
     const auto pixel_count = static_cast<std::uint32_t>(part.pixel_count());
-    const bool is_cost_shown = options_.shader == shade::Shader::cost;
+    const bool is_cost_shown = options_.shading.shader == shade::Shader::cost;
     Batch batch;
     std::uint32_t done = 0;
     while (done < pixel_count && !cancel.load(std::memory_order_relaxed)) {

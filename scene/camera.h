@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/sampler.h"
 #include "base/source.h"
 #include "base/vec.h"
 
@@ -42,7 +43,7 @@ struct Camera {
 enum class ToneMap : std::uint8_t { none, reinhard, aces };
 enum class Gamma : std::uint8_t { srgb, linear };
 enum class Integrator : std::uint8_t { whitted, path };
-enum class SamplerKind : std::uint8_t { sobol, random };
+using lray::SamplerKind;
 
 struct RenderSettings {
     Resolution resolution{};

@@ -2,6 +2,7 @@
 
 #include "base/assert.h"
 #include "shade/cost.h"
+#include "shade/depth.h"
 #include "shade/flat.h"
 #include "shade/normals.h"
 
@@ -9,13 +10,15 @@ namespace lray::shade {
 
 Color shade(const ShadeInput& input, const Ray& ray, const bvh::Hit& hit,
             const bvh::TraceCounts& counts) {
-    switch (input.shader) {
+    switch (input.settings.shader) {
+        case Shader::full:
         case Shader::flat:
-            return flat(input.world, hit, input.background);
+            return flat(input.world, hit, input.settings.background);
+        case Shader::uv:
         case Shader::normals:
             return normals(input.world, ray, hit);
         case Shader::depth:
-            return depth(hit, input.depth_unit);
+            return depth(hit, input.settings.depth_unit);
         case Shader::cost:
             return cost(counts);
     }

@@ -50,7 +50,7 @@ TEST(ChooseView, FirstCameraAndTheRenderBlock) {
     const View view = chosen(scene_with_cameras(), {});
     EXPECT_EQ(view.camera.name, "front");
     EXPECT_EQ(view.render_options.resolution, (scene::Resolution{400, 300}));
-    EXPECT_EQ(view.render_options.background, kRed);
+    EXPECT_EQ(view.render_options.shading.background, kRed);
     EXPECT_EQ(view.pixel_count(), 120'000u);
 }
 
@@ -60,7 +60,7 @@ TEST(ChooseView, NamedCameraOverridesTheRenderBlock) {
     const View view = chosen(scene_with_cameras(), options);
     EXPECT_EQ(view.camera.name, "top");
     EXPECT_EQ(view.render_options.resolution, (scene::Resolution{50, 40}));
-    EXPECT_EQ(view.render_options.background, kBlue);
+    EXPECT_EQ(view.render_options.shading.background, kBlue);
 }
 
 TEST(ChooseView, CommandLineOverridesTheCamera) {
@@ -106,7 +106,7 @@ TEST(ChooseView, SeedShaderAndPositionReachTheRender) {
     options.accel = bvh::AccelKind::spheres;
     const render::RenderOptions given = chosen(scene_with_cameras(), options).render_options;
     EXPECT_EQ(given.seed, 0u);
-    EXPECT_EQ(given.shader, shade::Shader::depth);
+    EXPECT_EQ(given.shading.shader, shade::Shader::depth);
     EXPECT_EQ(given.position, render::PixelPosition::center);
     EXPECT_GT(given.batch_size, 1u);
     options.accel = bvh::AccelKind::none;

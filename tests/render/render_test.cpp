@@ -48,7 +48,7 @@ class RenderTest : public testing::Test {
             world_.materials.back().diffuse = Color{0.1f * static_cast<float>(i), 0.7f, 0.01f};
         }
         options_.resolution = {101, 67};
-        options_.background = {0.25f, 0.5f, 1.0f};
+        options_.shading.background = {0.25f, 0.5f, 1.0f};
         options_.thread_count = 1;
         camera_.fov = radians(80.0);
     }

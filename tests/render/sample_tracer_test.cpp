@@ -116,7 +116,7 @@ TEST_F(SampleTracerTest, DiskInAPictureHasItsArea) {
 
 TEST_F(SampleTracerTest, CostIsThatOfEachRayAlone) {
     options_.resolution = {4, 4};
-    options_.shader = shade::Shader::cost;
+    options_.shading.shader = shade::Shader::cost;
     add_sphere({0.0f, 0.0f, 0.0f}, 1.0f);
     add_sphere({5.0f, 0.0f, 0.0f}, 1.0f);
     const Film film = traced({0, 0, 4, 4}, {{0, 1}});

@@ -51,18 +51,18 @@ TEST(Normals, MissIsBlack) {
 TEST(Shade, CallsTheShaderThatIsAskedFor) {
     const scene::World world = world_of_one_sphere();
     const Seen seen = look(world, {0.0f, 0.0f, 3.0f}, {0.0f, 0.0f, -1.0f});
-    ShadeInput input{world, Shader::flat, Color{0.1f}, 2.0};
+    ShadeInput input{world, {Shader::flat, Color{0.1f}, 2.0}};
     const auto color = [&](const bvh::Hit& hit) {
         return shade(input, seen.ray, hit, seen.counts);
     };
     EXPECT_EQ(color(seen.hit), Color(0.25f, 0.5f, 0.75f));
     EXPECT_EQ(color({}), Color(0.1f));
-    input.shader = Shader::normals;
+    input.settings.shader = Shader::normals;
     EXPECT_EQ(color(seen.hit), Color(0.5f, 0.5f, 1.0f));
     EXPECT_EQ(color({}), Color(0.0f));
-    input.shader = Shader::depth;
+    input.settings.shader = Shader::depth;
     EXPECT_EQ(color(seen.hit), Color(0.5f));
-    input.shader = Shader::cost;
+    input.settings.shader = Shader::cost;
     EXPECT_EQ(color(seen.hit), Color(0.0f, 0.0f, 0.1f));  // one test
 }
 

@@ -7,6 +7,7 @@
 #include "base/sampler.h"
 #include "scene/camera.h"
 #include "shade/settings.h"
+#include "shade/transport/lit_world.h"
 
 namespace lray::render {
 
@@ -41,7 +42,8 @@ struct RenderOptions {
     PixelPosition position = PixelPosition::center;
     SamplerKind sampler = SamplerKind::sobol;
     std::uint64_t seed = 0;          // of all that is chosen at random
-    shade::Settings shading{};       // its depth_unit is set by the camera
+    shade::Settings shading{};  // its depth_unit is set by the camera
+    const shade::LitWorld* lit = nullptr;  // what `full` shading needs; asserted
     std::uint32_t thread_count = 0;  // 0: all
     /// Rays that are traced together, and so between two looks at whether to stop. Any number gives
     /// the same picture; one at a time is right where each ray takes long.

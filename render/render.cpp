@@ -75,11 +75,11 @@ class ProgressMeter {
 
 /// What samples cost, and which were not added as they came.
 struct Tally {
-    bvh::TraceCounts primary{};
+    RayCounts rays{};
     FilmCounts samples{};
 
     Tally& operator+=(const Tally& other) {
-        primary += other.primary;
+        rays += other.rays;
         samples += other.samples;
         return *this;
     }
@@ -102,7 +102,7 @@ Tally render_block(Job& job, const PixelRect& block) {
     Tally tally;
     for (std::uint32_t sample = job.samples.begin; sample != job.samples.end; ++sample) {
         const std::uint32_t done =
-            job.tracer.add_sample(block, sample, film, tally.primary, job.cancel);
+            job.tracer.add_sample(block, sample, film, tally.rays, job.cancel);
         if (done == 0) break;
         job.progress.add(done);
     }
@@ -155,7 +155,8 @@ RenderResult render(const scene::World& world, const bvh::Accel& accel, const sc
             },
             tbb::simple_partitioner());
     });
-    job.result.primary = job.tally.primary;
+    job.result.primary = job.tally.rays.primary;
+    job.result.light = job.tally.rays.light;
     job.result.samples = job.tally.samples;
     job.result.is_complete = job.progress.is_complete();
     return std::move(job.result);

@@ -11,6 +11,7 @@
 #include "render/options.h"
 #include "scene/camera.h"
 #include "scene/world.h"
+#include "shade/transport/follow_light.h"
 
 namespace lray::render {
 
@@ -22,6 +23,7 @@ struct RenderProgress {
 struct RenderResult {
     image::Image image{};        // of the crop's size
     bvh::TraceCounts primary{};  // of the rays from the camera
+    shade::LightCounts light{};  // of those that full shading sent after them
     FilmCounts samples{};
     std::uint32_t thread_count = 1;  // that were used
     /// False if cancelled: pixels not reached are black, others the mean of the samples they have.

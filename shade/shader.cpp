@@ -12,6 +12,7 @@ Color shade(const ShadeInput& input, const Ray& ray, const bvh::Hit& hit,
             const bvh::TraceCounts& counts) {
     switch (input.settings.shader) {
         case Shader::full:
+            break;  // follow_light() is asked
         case Shader::flat:
             return flat(input.world, hit, input.settings.background);
         case Shader::uv:

@@ -16,7 +16,8 @@ struct ShadeInput {
     Settings settings{};
 };
 
-/// Returns the colour of one ray. `counts` are those of that ray alone, which only `cost` looks at.
+/// Returns the colour of one ray, by any shader but `full`, for which rays are followed on
+/// (transport/follow_light.h). `counts` are those of that ray alone, which only `cost` looks at.
 Color shade(const ShadeInput& input, const Ray& ray, const bvh::Hit& hit,
             const bvh::TraceCounts& counts);
 

@@ -35,6 +35,7 @@ struct SpotLight {
 struct DirectionalLight {
     DVec3 direction{0.0, 0.0, -1.0};  // unit, the way the light goes
     double angle = 0.0;               // diameter of the source as seen, radians
+    std::uint32_t samples = 1;
 };
 
 /// A parallelogram, corner + u edge_u + v edge_v, that shines to the side of edge_u x edge_v.
@@ -50,6 +51,7 @@ struct AreaLight {
 struct EnvironmentLight {
     TextureId texture_id{};       // none: the colour alone
     DMat3 light_from_world{1.0};  // directions; the identity as authored
+    std::uint32_t samples = 16;
 };
 
 using LightShape =

@@ -8,65 +8,85 @@
 #include "base/ray.h"
 #include "base/vec.h"
 #include "scene/world.h"
+#include "shade/lights/area_light.h"
+#include "shade/lights/ball_light.h"
+#include "shade/lights/environment.h"
+#include "shade/lights/light_sample.h"
+#include "shade/lights/sun_light.h"
 #include "shade/textures/texture_set.h"
 
 namespace lray::shade {
-
-/// Light that arrives at a point from one direction.
-struct LightSample {
-    Vec3 wi{};                   // unit, towards the light
-    float distance = kInfinity;  // to the light: what is nearer casts a shadow
-    Color irradiance{0.0f};      // E / pi of a surface that faces wi; the mean over all u is
-                                 // the light's, so samples are added up and divided by number
-    float pdf = 0.0f;            // per solid angle; 0: the light has no extent, and is met by
-                                 // no ray that was not sent to it
-};
-
-/// What a ray in some direction sees of a light itself.
-struct LightHit {
-    float t = kInfinity;  // infinite for an environment
-    Color radiance{0.0f};
-    std::uint32_t light = 0;
-};
 
 /// Const calls are thread-safe. The world and the textures must outlive it.
 class LightTable {
  public:
     LightTable(const scene::World& world, const TextureSet& textures);
 
-    /// The lights that shine at all, numbered from 0, in the order of the world.
-    std::uint32_t count() const;
-    bool casts_shadow(std::uint32_t light) const;
+    /// The lights that shine at all, and the environment, numbered from 0, in the order of the
+    /// world.
+    std::uint32_t count() const { return static_cast<std::uint32_t>(entries_.size()); }
+    bool casts_shadow(std::uint32_t light) const { return entries_[light].casts_shadow; }
     /// Of an environment, a ball, a sun and an area; 1 of lights without extent.
-    std::uint32_t sample_count(std::uint32_t light) const;
+    std::uint32_t sample_count(std::uint32_t light) const { return entries_[light].sample_count; }
 
-    /// Returns light that arrives at a point (world space) by the light's sample u, uniform in
-    /// [0, 1)^2.
+    /// Returns light that arrives at a point by the light's sample u, uniform in [0, 1)^2.
+    /// Space: world; `normal` is unit, on the side of the surface that is lit: by it directions of
+    /// an even environment are chosen, which for light from below it is empty.
     /// Errors: empty when none does: behind a spot light or an area light.
-    std::optional<LightSample> sample(std::uint32_t light, DVec3 point, DVec2 u) const;
+    std::optional<LightSample> sample(std::uint32_t light, DVec3 point, Vec3 normal, DVec2 u) const;
 
-    /// Returns the density with which sample() chooses a direction from a point; 0 for lights
-    /// without extent and directions that do not meet the light.
-    float pdf(std::uint32_t light, DVec3 point, Vec3 wi) const;
+    /// Returns the density with which sample() chooses a direction from a point; 0 for lights that
+    /// no ray meets, and directions that do not meet the light.
+    float pdf(std::uint32_t light, DVec3 point, Vec3 normal, Vec3 wi) const;
 
     /// Returns a light chosen for a point at random, u uniform in [0, 1), and the probability of
-    /// that choice; greater than 0 for each light that may light the point.
+    /// that choice; greater than 0 for each light that may light the point. Of few lights it is in
+    /// proportion to how strong they are there, of many to their power, and a part for each.
+    /// Errors: none where there are no lights, or none shines to the point.
     struct Choice {
         std::uint32_t light = 0;
         float probability = 1.0f;
     };
-    Choice choose(DVec3 point, double u) const;
+    std::optional<Choice> choose(DVec3 point, double u) const;
     float probability(std::uint32_t light, DVec3 point) const;
 
     /// Returns the nearest visible area or ball light that the ray meets in the interval; none
     /// when it meets none. Environments are environment()'s.
-    std::optional<LightHit> nearest_hit(const Ray& ray, Interval interval) const;
+    std::optional<LightHit> nearest_hit(const Ray& ray, Interval interval) const {
+        return met_.empty() ? std::nullopt : nearest_met(ray, interval);
+    }
 
-    /// Returns what the environment shows in a direction; none if there is no environment.
-    bool has_environment() const;
+    /// Returns what the environment shows in a direction; none if there is no environment, or it is
+    /// not visible.
+    bool has_environment() const { return environment_ && environment_->is_visible(); }
     /// The environment's number among the lights.
-    std::uint32_t environment_light() const;
-    Color environment(Vec3 direction) const;
+    std::uint32_t environment_light() const { return environment_light_; }
+    Color environment(Vec3 direction) const { return environment_->radiance(direction); }
+
+ private:
+    enum class Kind : std::uint8_t { ball, sun, area, environment };
+    struct Entry {
+        Kind kind = Kind::ball;
+        bool casts_shadow = true;
+        std::uint32_t index = 0;  // among those of its kind
+        std::uint32_t sample_count = 1;
+        float luminance = 1.0f;  // of its colour
+    };
+
+    void add(const scene::WorldLight& light, const scene::World& world, const TextureSet& textures);
+    void sum_up_power(const scene::World& world);
+    std::optional<LightHit> nearest_met(const Ray& ray, Interval interval) const;
+    double strength_at(const Entry& entry, DVec3 point) const;
+    double power(const Entry& entry, double scene_radius) const;
+
+    std::vector<Entry> entries_{};
+    std::vector<BallLight> balls_{};
+    std::vector<SunLight> suns_{};
+    std::vector<AreaLight> areas_{};
+    std::optional<Environment> environment_{};
+    std::uint32_t environment_light_ = 0;
+    std::vector<std::uint32_t> met_{};  // the lights that rays meet
+    std::vector<double> chosen_{};      // of many lights: the probability of those up to each
 };
 
 }  // namespace lray::shade

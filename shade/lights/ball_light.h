@@ -1,0 +1,49 @@
+// Point and spot lights, which may be balls: what of their light arrives at a point.
+#pragma once
+
+#include <optional>
+
+#include "base/ray.h"
+#include "scene/light.h"
+#include "shade/lights/light_sample.h"
+
+namespace lray::shade {
+
+/// Light of a ball is that of a point in its middle where it is far, and its falloff is quadratic:
+/// its radiance is L / (4 pi r^2). With other falloffs, which no ball has, only the directions
+/// vary.
+struct BallLight {
+    static BallLight of(const scene::PointLight& point, Color color, double intensity,
+                        bool is_visible);
+    static BallLight of(const scene::SpotLight& spot, Color color, double intensity);
+
+    /// Errors: empty outside of a spot's cone, and in the very middle of the light.
+    std::optional<LightSample> sample(DVec3 point, DVec2 u) const;
+    float pdf(DVec3 point, Vec3 wi) const;
+
+    /// Returns how strong the light is at a point, without its colour; 0 where it does not shine.
+    double strength_at(DVec3 point) const;
+
+    /// Returns where a ray meets the ball from outside or from inside.
+    std::optional<float> hit(const Ray& ray, Interval interval) const;
+    Color radiance() const;
+
+    /// The share of its light that leaves at an angle to the axis of its cone: smoothstep between
+    /// the inner cone and the rim, by the angle. Shape: from_light is unit.
+    double cone_share(DVec3 from_light) const;
+
+    DVec3 position{0.0};
+    double radius = 0.0;
+    double strength = 0.0;  // L / (4 pi)
+    Color color{1.0f};
+    scene::Falloff falloff = scene::Falloff::quadratic;
+    bool is_spot = false;
+    bool is_met = false;  // by rays not sent to it: an even ball that is visible
+    DVec3 axis{0.0, 0.0, -1.0};
+    double cos_inner = -1.0;
+    double cos_rim = -1.0;
+    float inner = 0.0f;  // radians from the axis
+    float rim = 0.0f;
+};
+
+}  // namespace lray::shade

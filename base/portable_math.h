@@ -1,8 +1,14 @@
+<<<<<<< HEAD
 // Logarithm, exponential, sine and cosine made of IEEE operations alone: those of the C library
+=======
+// Logarithm, sine, cosine and arctangent made of IEEE operations alone: those of the C library
+>>>>>>> wt-surface
 // differ in the last bit from one processor to another, and what is random or noise must not.
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
@@ -31,6 +37,56 @@ constexpr DVec2 unit_circle_point(double turns) {
         default:
             return {sine, -cosine};
     }
+}
+
+namespace detail {
+
+/// The arctangent of |t| <= 1/15 by Taylor's series: the first term left out is below 1e-16.
+constexpr double small_arctangent(double t) {
+    const double s = t * t;
+    double sum = 0.0;
+    for (int k = 11; k >= 3; k -= 2) sum = s * (1.0 / k - sum);
+    return t - t * sum;
+}
+
+/// The angles, in turns, whose tangents are eighths.
+constexpr std::array<double, 9> turns_of_eighths() {
+    std::array<double, 9> result{};
+    double angle = 0.0;
+    for (std::size_t i = 1; i < result.size(); ++i) {
+        // In two halves, each less than 1/15: the tangent of a difference is
+        // (a - b) / (1 + a b).
+        const double middle = (static_cast<double>(i) - 0.5) / 8.0;
+        const double low = (static_cast<double>(i) - 1.0) / 8.0;
+        const double high = static_cast<double>(i) / 8.0;
+        angle += small_arctangent(0.0625 / (1.0 + middle * low)) +
+                 small_arctangent(0.0625 / (1.0 + high * middle));
+        result[i] = angle / (2.0 * std::numbers::pi);
+    }
+    return result;
+}
+inline constexpr std::array<double, 9> kTurnsOfEighths = turns_of_eighths();
+
+}  // namespace detail
+
+/// Returns the angle of a direction in turns, 0 at +X and 1/4 at +Y: what unit_circle_point() makes
+/// a point of. 0 for the null vector.
+/// Shape: finite components; the result is in [0, 1]. Off by less than 1e-15.
+constexpr double turns_of(DVec2 direction) {
+    const double x = direction.x < 0.0 ? -direction.x : direction.x;
+    const double y = direction.y < 0.0 ? -direction.y : direction.y;
+    const double most = x < y ? y : x;
+    const double least = x < y ? x : y;
+    if (!(most > 0.0)) return 0.0;
+    // The rest to the nearest eighth of the tangent, by the tangent of a difference.
+    const int eighths = static_cast<int>(8.0 * (least / most) + 0.5);
+    const double tangent = eighths / 8.0;
+    const double rest = (least - tangent * most) / (most + tangent * least);
+    double turns = detail::kTurnsOfEighths[static_cast<std::size_t>(eighths)] +
+                   detail::small_arctangent(rest) * (0.5 / std::numbers::pi);
+    if (y > x) turns = 0.25 - turns;
+    if (direction.x < 0.0) turns = 0.5 - turns;
+    return direction.y < 0.0 ? 1.0 - turns : turns;
 }
 
 /// Returns the natural logarithm of a normal number greater than 0, to a few units in the last

@@ -116,6 +116,7 @@ void shrink(Geometry& geometry) {
                geometry.ellipsoids, geometry.cylinders, geometry.disks, geometry.boxes,
                geometry.tori, geometry.instances, geometry.normals, geometry.uvs,
                geometry.triangle_normals, geometry.triangle_uvs, geometry.objects);
+    geometry.object_spaces.shrink_to_fit();
     for (std::vector<ObjectId>& object_ids : geometry.object_ids) shrink_all(object_ids);
 }
 
@@ -132,8 +133,13 @@ std::optional<DVec3> far_middle(const Bounds& bounds) {
 /// Makes the world's prototypes, and then the world.
 class Flattening {
  public:
-    Flattening(const Scene& scene, const FlattenPlan& plan, World& world, Diagnostics& diagnostics)
-        : scene_(scene), plan_(plan), world_(world), diagnostics_(diagnostics) {}
+    Flattening(const Scene& scene, const FlattenPlan& plan, KeptSpaces spaces, World& world,
+               Diagnostics& diagnostics)
+        : scene_(scene),
+          plan_(plan),
+          space_rule_(scene, spaces),
+          world_(world),
+          diagnostics_(diagnostics) {}
 
     /// True if everything was placed.
     bool run() {
@@ -143,7 +149,7 @@ class Flattening {
         }
         if (error_count_ < kMaxFlattenErrors) {
             world_.node_id = scene_.root;
-            Placer placer(scene_, world_, diagnostics_);
+            Placer placer(scene_, space_rule_, world_, diagnostics_);
             GraphWalk walk(scene_, plan_, prototypes_, placer, &world_.lights, diagnostics_);
             walk.place(scene_.root);
             placer.finish();
@@ -176,7 +182,7 @@ class Flattening {
         Placement placement;
         placement.world_from_object = Transform::translation(-prototype.origin_object);
         placement.material = Object::kInherited;
-        Placer placer(scene_, geometry, diagnostics);
+        Placer placer(scene_, space_rule_, geometry, diagnostics);
         GraphWalk walk(scene_, plan_, prototypes_, placer, nullptr, diagnostics);
         walk.place_content(id, placement);
         placer.finish();
@@ -187,6 +193,7 @@ class Flattening {
 
     const Scene& scene_;
     const FlattenPlan& plan_;
+    ObjectSpaceRule space_rule_;
     World& world_;
     Diagnostics& diagnostics_;
     std::vector<Prototype> prototypes_{};
@@ -208,7 +215,7 @@ std::optional<World> flatten(const Scene& scene, const FlattenLimits& limits,
     world->textures = scene.textures;
     world->pictures = scene.pictures;
     reserve(*world, plan.counts);
-    if (!Flattening(scene, plan, *world, diagnostics).run()) return std::nullopt;
+    if (!Flattening(scene, plan, limits.spaces, *world, diagnostics).run()) return std::nullopt;
     return world;
 }
 

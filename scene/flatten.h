@@ -15,6 +15,7 @@ struct FlattenLimits {
     std::uint64_t primitives = 50'000'000;  // --max-primitives, as they are stored
     std::uint64_t lights = 100'000;         // --max-lights, those of instances counted each
     SharingRule sharing{};
+    KeptSpaces spaces = KeptSpaces::where_textured;
 };
 
 /// Returns the primitives and lights of everything under the scene's root, in the order of the

@@ -6,34 +6,45 @@
 
 namespace lray::scene {
 
+EnteredPlace enter(const World& world, const Geometry& geometry, PlaceOffset place) {
+    LRAY_ASSERT(place > 0 && place < geometry.place_count);
+    // Places ascend with the instances: the last one that does not begin behind it holds it.
+    const std::vector<WorldInstance>& instances = geometry.instances;
+    const auto next = std::ranges::upper_bound(instances, place, {}, &WorldInstance::first_place);
+    LRAY_ASSERT(next != instances.begin());
+    const WorldInstance& instance = *std::prev(next);
+    const PrimitiveId id(PrimitiveKind::instance,
+                         static_cast<std::size_t>(std::prev(next) - instances.begin()));
+    return {{&instance, &geometry.object(geometry.object_of(id))},
+            &world.prototypes[instance.prototype],
+            place - instance.first_place};
+}
+
 PlacePath path_to(const World& world, PlaceOffset place) {
-    LRAY_ASSERT(place < world.place_count);
     PlacePath path;
     path.geometry = &world;
     while (place > 0) {
-        // Places ascend with the instances: the last one that does not begin behind it holds it.
-        const std::vector<WorldInstance>& instances = path.geometry->instances;
-        const auto next =
-            std::ranges::upper_bound(instances, place, {}, &WorldInstance::first_place);
-        LRAY_ASSERT(next != instances.begin());
-        const WorldInstance& instance = *std::prev(next);
-        const PrimitiveId id(PrimitiveKind::instance,
-                             static_cast<std::size_t>(std::prev(next) - instances.begin()));
-        path.steps.push_back({&instance, &path.geometry->object(path.geometry->object_of(id))});
-        place -= instance.first_place;
-        path.geometry = &world.prototypes[instance.prototype];
+        const EnteredPlace entered = enter(world, *path.geometry, place);
+        path.steps.push_back(entered.step);
+        path.geometry = entered.geometry;
+        place = entered.place;
     }
     return path;
 }
 
 std::uint32_t material_at(const World& world, PlaceOffset place, PrimitiveId id) {
-    if (place == 0) return world.object(world.object_of(id)).material;
-    const PlacePath path = path_to(world, place);
-    std::uint32_t material = path.geometry->object(path.geometry->object_of(id)).material;
-    for (auto step = path.steps.rbegin(); step != path.steps.rend(); ++step) {
-        if (material != Object::kInherited) break;
-        material = step->object->material;
+    std::uint32_t material = Object::kInherited;
+    const auto settle = [&material](const Object& object) {
+        if (object.material != Object::kInherited) material = object.material;
+    };
+    const Geometry* geometry = &world;
+    while (place > 0) {
+        const EnteredPlace entered = enter(world, *geometry, place);
+        settle(*entered.step.object);
+        geometry = entered.geometry;
+        place = entered.place;
     }
+    settle(geometry->object(geometry->object_of(id)));
     LRAY_ASSERT(material != Object::kInherited);
     return material;
 }

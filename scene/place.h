@@ -13,6 +13,17 @@ struct PlaceStep {
     const Object* object = nullptr;
 };
 
+/// What is behind a step: the geometry that is placed, and how far into it the place is.
+struct EnteredPlace {
+    PlaceStep step{};
+    const Geometry* geometry = nullptr;
+    PlaceOffset place = 0;
+};
+
+/// Takes the first step to a place of a geometry that is not its own space.
+/// Errors: asserts that the place is in it.
+EnteredPlace enter(const World& world, const Geometry& geometry, PlaceOffset place);
+
 /// The geometry of a place and the way there, from the world inward.
 struct PlacePath {
     const Geometry* geometry = nullptr;

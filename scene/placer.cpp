@@ -60,6 +60,9 @@ bool is_degenerate(Vec3 a, Vec3 b, Vec3 c) {
 void Placer::place(NodeId node_id, const Placement& placement) {
     const Node& node = scene_.node(node_id);
     add_object(node_id, placement);
+    if (space_rule_.is_kept(placement.material) && !keep_space(node, placement.world_from_object)) {
+        return;
+    }
     switch (node.kind) {
         case NodeKind::sphere:
             return place_sphere(node, placement);
@@ -91,6 +94,17 @@ void Placer::add_object(NodeId node_id, const Placement& placement) {
     object_id_ = ObjectId{geometry_.objects.size()};
     geometry_.objects.push_back(
         {node_id, placement.material, placement.visible, placement.casts_shadow});
+}
+
+bool Placer::keep_space(const Node& node, const Transform& world_from_object) {
+    const auto inverse = world_from_object.inverse();
+    if (!inverse) {
+        refuse(Code::E0310, node,
+               fmt::format("the transform of this {} cannot be inverted", name_of(node.kind)));
+        return false;
+    }
+    geometry_.object_spaces.add(object_id_, {inverse->linear(), inverse->offset()});
+    return true;
 }
 
 void Placer::finish() {
@@ -129,17 +143,22 @@ void Placer::place_cylinder(const Node& node, const Placement& placement) {
     // The wider end is at the bottom of the frame.
     const bool is_turned = shape.radius_to > shape.radius;
     const DVec3 bottom = is_turned ? shape.to : shape.from;
-    const DVec3 axis = is_turned ? shape.from - shape.to : shape.to - shape.from;
+    const DVec3 axis = shape.to - shape.from;
     const double radius = is_turned ? shape.radius_to : shape.radius;
     const double top_radius = is_turned ? shape.radius : shape.radius_to;
     const auto direction = unit(axis);
     // No length or no radius makes a frame that is refused.
     const DMat3 turn = direction ? rotation_to(*direction) : DMat3{0.0};
-    const DMat3 linear_object{radius * turn[0], axis, radius * turn[2]};
+    DMat3 linear_object{radius * turn[0], axis, radius * turn[2]};
+    if (is_turned) {  // half a turn about its x axis
+        linear_object[1] = -linear_object[1];
+        linear_object[2] = -linear_object[2];
+    }
     const auto frame =
         make_frame(node, transform.linear() * linear_object, transform.point(bottom));
     if (!frame) return;
-    geometry_.cylinders.push_back({*frame, static_cast<float>(top_radius / radius), shape.caps});
+    geometry_.cylinders.push_back(
+        {*frame, static_cast<float>(top_radius / radius), shape.caps, is_turned});
     add_object_id(PrimitiveKind::cylinder);
 }
 
@@ -180,7 +199,21 @@ void Placer::place_plane(const Node& node, const Placement& placement) {
         refuse(Code::E0310, node, "the transform leaves this plane no normal");
         return;
     }
-    geometry_.planes.push_back({Vec3{point}, Vec3{*normal}});
+    const auto inverse = placement.world_from_object.inverse();
+    const auto normal_object = unit(shape.normal);
+    Plane plane{Vec3{point}, Vec3{*normal}, Vec3{0.0f}, Vec3{0.0f}};
+    if (inverse && normal_object) {
+        const DMat3 turn = rotation_to(*normal_object);
+        const DVec3 u = turn[0] * inverse->linear();  // the transpose times the vector
+        const DVec3 v = -turn[2] * inverse->linear();
+        // Of a plane shrunk beyond what a float holds nothing is left to see.
+        constexpr double kMost = static_cast<double>(std::numeric_limits<float>::max());
+        if (reach(u) <= kMost && reach(v) <= kMost) {
+            plane.gradient_u = Vec3{u};
+            plane.gradient_v = Vec3{v};
+        }
+    }
+    geometry_.planes.push_back(plane);
     add_object_id(PrimitiveKind::plane);
 }
 

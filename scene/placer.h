@@ -43,11 +43,12 @@ struct Prototype {
 /// Adds primitives to a geometry. All is computed in double and rounded to float once.
 /// Errors of place(): E0304 when the shape reaches beyond kMaxCoordinate or is smaller than
 /// kMinSize, E0310 when the transform flattens it; warnings W1201 (shape without area) and W1702
-/// (faces of a mesh without area), dropped.
+/// (faces of a mesh without area), dropped. By the rule the space of a shape is kept with it.
 class Placer {
  public:
-    Placer(const Scene& scene, Geometry& geometry, Diagnostics& diagnostics)
-        : scene_(scene), geometry_(geometry), diagnostics_(diagnostics) {}
+    Placer(const Scene& scene, const ObjectSpaceRule& space_rule, Geometry& geometry,
+           Diagnostics& diagnostics)
+        : scene_(scene), space_rule_(space_rule), geometry_(geometry), diagnostics_(diagnostics) {}
 
     /// Adds the primitives of a shape or mesh; `node` is no group, instance or light.
     void place(NodeId node_id, const Placement& placement);
@@ -89,6 +90,9 @@ class Placer {
 
     void add_object(NodeId node_id, const Placement& placement);
 
+    /// Keeps the space of the shape being placed. False if there is none: the shape is refused.
+    bool keep_space(const Node& node, const Transform& world_from_object);
+
     /// Appends the primitive's object; `object_id_` is the object of the shape being placed.
     void add_object_id(PrimitiveKind kind) {
         geometry_.object_ids[static_cast<std::size_t>(kind)].push_back(object_id_);
@@ -97,6 +101,7 @@ class Placer {
     void set_triangle_uvs(const IndexTriple& triple);
 
     const Scene& scene_;
+    const ObjectSpaceRule& space_rule_;
     Geometry& geometry_;
     Diagnostics& diagnostics_;
     ObjectId object_id_{};

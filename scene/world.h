@@ -14,6 +14,7 @@
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
+#include "scene/object_space.h"
 #include "scene/texture.h"
 
 namespace lray::scene {
@@ -106,6 +107,7 @@ struct Cylinder {
     AffineFrame frame{};
     float top_radius = 1.0f;
     bool caps = true;
+    bool is_turned = false;  // the end that the shape begins with is the top
 };
 
 /// The unit disk in the plane y = 0, normal +Y, without the open disk of radius `hole`, under an
@@ -120,10 +122,13 @@ struct Box {
     AffineFrame frame{};
 };
 
-/// Infinite; `normal` is unit.
+/// Infinite; `normal` is unit. Surface parameters grow with the position by their gradients, from 0
+/// at the point.
 struct Plane {
     Vec3 point{};
     Vec3 normal{0.0f, 1.0f, 0.0f};
+    Vec3 gradient_u{1.0f, 0.0f, 0.0f};
+    Vec3 gradient_v{0.0f, 0.0f, -1.0f};
 };
 
 /// The torus around +Y that just fits into the unit sphere: the tube has the radius `tube`, in
@@ -180,6 +185,7 @@ struct Geometry {
 
     std::array<std::vector<ObjectId>, kPrimitiveKindCount> object_ids{};
     std::vector<Object> objects{};
+    ObjectSpaces object_spaces{};  // of those whose look depends on it (ObjectSpaceRule)
 
     PlaceOffset place_count = 1;  // this one and those of all instances, however deep
     NodeId node_id{};             // whose content it is: the root, or of a prototype the first node

@@ -1,9 +1,6 @@
-<<<<<<< HEAD
-// Logarithm, exponential, sine and cosine made of IEEE operations alone: those of the C library
-=======
-// Logarithm, sine, cosine and arctangent made of IEEE operations alone: those of the C library
->>>>>>> wt-surface
-// differ in the last bit from one processor to another, and what is random or noise must not.
+// Logarithm, exponential, sine, cosine and arctangent made of IEEE operations alone: those of the C
+// library differ in the last bit from one processor to another, and what is random or noise must
+// not.
 #pragma once
 
 #include <array>

@@ -28,7 +28,7 @@ Color transmittance(const LitWorld& lit, const Media& media, float length) {
 float weight_of_light(const LitWorld& lit, const TransportRay& ray, std::uint32_t light) {
     if (ray.pdf == 0.0f) return 1.0f;
     const DVec3 origin{ray.ray.origin};
-    return balance(ray.pdf, lit.lights.pdf(light, origin, ray.ray.dir) *
+    return balance(ray.pdf, lit.lights.pdf(light, origin, ray.normal, ray.ray.dir) *
                                 lit.lights.probability(light, origin));
 }
 

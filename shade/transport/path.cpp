@@ -50,10 +50,11 @@ void add_light_sample(const WaveContext& context, ShadowWave& shadows, const Wav
     const ShadingPoint& point = wave.points[i];
     const PixelSample& random = context.sample_of(ray);
     const DVec3 position{point.surface.position};
-    const auto [light, probability] =
-        lights.choose(position, random.number(ray.decision(kLightChoice)));
+    const auto choice = lights.choose(position, random.number(ray.decision(kLightChoice)));
+    if (!choice) return;
+    const auto [light, probability] = *choice;
     const std::optional<LightSample> sample =
-        lights.sample(light, position, random.pair(ray.decision(kLightPoint)));
+        lights.sample(light, position, point.normal, random.pair(ray.decision(kLightPoint)));
     if (!sample || !point.is_before(sample->wi)) return;
     const Vec3 wi = point.local(sample->wi);
     Color bright =
@@ -87,6 +88,7 @@ std::optional<TransportRay> onward(const WaveContext& context, const TransportRa
         next.weight *= reflected(point.material, sample->wi, ways.wo) /
                        (std::numbers::pi_v<float> * pdf);
         next.pdf = pdf;
+        next.normal = point.normal;
         return next;
     }
     const bool is_mirror =

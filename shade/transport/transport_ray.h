@@ -34,6 +34,7 @@ struct TransportRay {
     std::uint64_t branch = 0;   // key of its decisions
     float pdf = 0.0f;           // of choosing its direction among those of a matt or glossy surface;
                                 // 0: it had no choice
+    Vec3 normal{0.0f};          // for shading, where that was chosen
     Media media{};
 
     /// Returns a ray that this one leads to, `way` telling them apart; the rest is as of this one.

@@ -42,7 +42,7 @@ class DirectLight {
         const DVec2 u = context_.sample_of(ray).pair(ray.decision(kLightPoint, light), part,
                                                      sample_count);
         const std::optional<LightSample> sample =
-            context_.lit.lights.sample(light, DVec3{point.surface.position}, u);
+            context_.lit.lights.sample(light, DVec3{point.surface.position}, point.normal, u);
         if (!sample || !point.is_before(sample->wi)) return;
         const Color bright = sample->irradiance / static_cast<float>(sample_count) *
                              reflected(point.material, point.local(sample->wi), wo_[i]);

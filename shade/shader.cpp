@@ -5,6 +5,7 @@
 #include "shade/depth.h"
 #include "shade/flat.h"
 #include "shade/normals.h"
+#include "shade/uv.h"
 
 namespace lray::shade {
 
@@ -15,9 +16,10 @@ Color shade(const ShadeInput& input, const Ray& ray, const bvh::Hit& hit,
             break;  // follow_light() is asked
         case Shader::flat:
             return flat(input.world, hit, input.settings.background);
-        case Shader::uv:
         case Shader::normals:
             return normals(input.world, ray, hit);
+        case Shader::uv:
+            return uv(input.world, ray, hit);
         case Shader::depth:
             return depth(hit, input.settings.depth_unit);
         case Shader::cost:

@@ -28,6 +28,26 @@ TEST(PortableMath, CircleIsExactAtQuarters) {
     EXPECT_EQ(unit_circle_point(1.0), (DVec2{1, 0}));
 }
 
+TEST(PortableMath, TurnsAreThoseOfTheArctangent) {
+    for (int i = 0; i < 200'000; ++i) {
+        const double turns = i / 200'000.0;
+        for (const double length : {1.0, 1e-200, 1e200}) {
+            EXPECT_NEAR(turns_of(length * unit_circle_point(turns)), turns, 6e-16) << turns;
+        }
+        const double angle = std::atan2(i - 7e4, 1e5) / (2.0 * std::numbers::pi);
+        EXPECT_NEAR(turns_of({1e5, i - 7e4}), angle < 0.0 ? 1.0 + angle : angle, 6e-16) << i;
+    }
+}
+
+TEST(PortableMath, TurnsAreExactAtQuarters) {
+    EXPECT_EQ(turns_of({2, 0}), 0.0);
+    EXPECT_EQ(turns_of({2, -0.0}), 0.0);
+    EXPECT_EQ(turns_of({0, 3}), 0.25);
+    EXPECT_EQ(turns_of({-1, 0}), 0.5);
+    EXPECT_EQ(turns_of({0, -1}), 0.75);
+    EXPECT_EQ(turns_of({0, 0}), 0.0);
+}
+
 TEST(PortableMath, LogarithmIsThatOfTheLibrary) {
     EXPECT_EQ(natural_logarithm(1.0), 0.0);
     for (double x = 0x1p-53; x < 1e18; x *= 1.0009) {

@@ -393,7 +393,7 @@ constexpr CodeInfo kInfos[] = {
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[1, 2, 3]]\n}",
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[0, 1, 2]]\n}"},
 {LRAY_CODE(E0703), "picture not understood",
- "The file is not a PNG or a binary PPM, it is damaged, or the picture is too large or too small for "
+ "The file is not a PNG, JPEG or binary PPM, it is damaged, or the picture is too large or too small for "
  "what it is to be.",
  "heightfield { image: \"notes.png\" }  // a text file",
  "heightfield { image: \"hills.png\", scale_y: 0.2 }"},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "image/jpeg.h"
 #include "image/png.h"
 #include "image/ppm.h"
 
@@ -17,10 +18,11 @@ bool ReadLimits::allow(std::uint32_t width, std::uint32_t height, std::string& e
 std::optional<CodedImage> read_coded_image(std::span<const std::byte> file,
                                            const ReadLimits& limits, std::string& error) {
     if (is_png(file)) return read_png(file, limits, error);
+    if (is_jpeg(file)) return read_jpeg(file, limits, error);
     if (file.size() >= 2 && file[0] == std::byte{'P'} && file[1] == std::byte{'6'}) {
         return read_ppm(file, limits, error);
     }
-    error = "this is neither a PNG nor a binary PPM (P6) file";
+    error = "this is not a PNG, JPEG or binary PPM (P6) file";
     return std::nullopt;
 }
 

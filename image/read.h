@@ -20,7 +20,7 @@ struct ReadLimits {
     bool allow(std::uint32_t width, std::uint32_t height, std::string& error) const;
 };
 
-/// Decodes a PPM or PNG file, told apart by its first bytes, to 8-bit codes.
+/// Decodes a PPM, PNG or JPEG file, told apart by its first bytes, to 8-bit codes.
 /// Errors: empty, and `error` tells why in words. A picture beyond the limits is refused by its
 /// header.
 std::optional<CodedImage> read_coded_image(std::span<const std::byte> file,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "image/jpeg.h"
 #include "image/png.h"
 #include "image/ppm.h"
 
@@ -23,6 +24,7 @@ std::optional<Format> find_format(std::string_view name) {
     for (const Format format : kFormats) {
         if (equal_ignoring_case(name, format_name(format))) return format;
     }
+    if (equal_ignoring_case(name, "jpeg")) return Format::jpg;
     return std::nullopt;
 }
 
@@ -32,6 +34,8 @@ std::string_view format_name(Format format) {
             return "ppm";
         case Format::png:
             return "png";
+        case Format::jpg:
+            return "jpg";
     }
     LRAY_ASSERT(false);
 }
@@ -46,7 +50,7 @@ std::string_view extension(std::string_view path) {
 }
 
 bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
-                 std::string& error) {
+                 std::string& error, int jpeg_quality) {
     switch (format) {
         case Format::ppm:
             if (write_ppm(out, image)) return true;
@@ -54,6 +58,8 @@ bool write_image(OutputFile& out, const Image& image, Format format, Metadata me
             return false;
         case Format::png:
             return write_png(out, image, metadata, error);
+        case Format::jpg:
+            return write_jpeg(out, image, metadata, jpeg_quality, error);
     }
     LRAY_ASSERT(false);
 }

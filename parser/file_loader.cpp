@@ -37,9 +37,8 @@ std::string_view other_mesh_format(std::string_view path) {
 
 /// The ending of a file name when it is that of a picture format that is not read; empty otherwise.
 std::string_view other_picture_format(std::string_view path) {
-    constexpr std::array<std::string_view, 12> kOthers = {".avif", ".bmp",  ".exr",  ".gif",
-                                                          ".hdr",  ".heic", ".jpeg", ".jpg",
-                                                          ".pfm",  ".tga",  ".tiff", ".webp"};
+    constexpr std::array<std::string_view, 10> kOthers = {
+        ".avif", ".bmp", ".exr", ".gif", ".hdr", ".heic", ".pfm", ".tga", ".tiff", ".webp"};
     return ending_among(path, kOthers);
 }
 
@@ -230,7 +229,7 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
         diagnostics_
             .error(Code::E0705, span,
                    fmt::format("`{}` files are not read by this version", format))
-            .with_help("save the picture as PNG");
+            .with_help("save the picture as PNG or JPEG");
         return std::nullopt;
     }
     const std::optional<Found> found = read({path, span, Span{}, texture_limit_}, from);

@@ -8,7 +8,7 @@ namespace lray::shade {
 Checker::Checker(const scene::CheckerTexture& checker)
     : a_(checker.a), b_(checker.b), per_size_(1.0 / checker.size) {}
 
-Color Checker::color(DVec3 p, const Footprint& footprint) const {
+DVec3 Checker::color(const DVec3& p, const Footprint& footprint) const {
     const auto wave = [&](double x, double extent) {
         return mean_square_wave(x * per_size_ - kBorderShift, extent * per_size_);
     };

@@ -12,11 +12,11 @@ class Checker {
     explicit Checker(const scene::CheckerTexture& checker);
 
     /// Returns the colour at a point of the texture's space, averaged over the footprint.
-    Color color(DVec3 p, const Footprint& footprint) const;
+    DVec3 color(const DVec3& p, const Footprint& footprint) const;
 
  private:
-    Color a_;
-    Color b_;
+    DVec3 a_;
+    DVec3 b_;
     double per_size_;  // cubes in a unit of length
 };
 

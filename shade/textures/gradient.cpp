@@ -17,7 +17,7 @@ Gradient::Gradient(const scene::GradientTexture& gradient)
     profile_.before = profile_.stops.integral(0.0);
 }
 
-Color Gradient::color(DVec3 p, const Footprint& footprint) const {
+DVec3 Gradient::color(const DVec3& p, const Footprint& footprint) const {
     double x = p[axis_];
     const Cell cell(x);
     if (cell.inside > 1.0 - kSnap) x = static_cast<double>(cell.index + 1);
@@ -27,7 +27,7 @@ Color Gradient::color(DVec3 p, const Footprint& footprint) const {
         const double left = pattern_left(2.0 * footprint.across);
         color = mix(profile_.integral(1.0), color, left);
     }
-    return Color{color};
+    return color;
 }
 
 }  // namespace lray::shade

@@ -13,7 +13,7 @@ class Gradient {
     explicit Gradient(const scene::GradientTexture& gradient);
 
     /// Returns the colour at a point of the texture's space, averaged over the footprint.
-    Color color(DVec3 p, const Footprint& footprint) const;
+    DVec3 color(const DVec3& p, const Footprint& footprint) const;
 
  private:
     /// One unit, from 0 to 1.

@@ -62,7 +62,7 @@ ImageLookup::ImageLookup(const scene::ImageTexture& image, const MipChain& chain
       wrap_(image.wrap),
       filter_(image.filter) {}
 
-Color ImageLookup::color(DVec3 p, const Footprint& footprint) const {
+DVec3 ImageLookup::color(const DVec3& p, const Footprint& footprint) const {
     const double u = wrapped(p.x, wrap_);
     const double v = 1.0 - wrapped(p.y, wrap_);  // rows count from the top
     const image::CodedImage& picture = chain_->level(0);
@@ -71,16 +71,16 @@ Color ImageLookup::color(DVec3 p, const Footprint& footprint) const {
     const Level level(std::max(reach_u, reach_v));
 
     const std::size_t last = chain_->level_count() - 1;
-    if (level.lower >= last && last > 0) return decoded(chain_->level(last).rgb.data());
+    if (level.lower >= last && last > 0) return DVec3{decoded(chain_->level(last).rgb.data())};
     const std::size_t i = std::min(level.lower, last);
     const bool is_blocky = i == 0 && filter_ == scene::ImageFilter::nearest;
-    const Color lower = is_blocky ? nearest(u, v) : bilinear(chain_->level(i), u, v);
+    const DVec3 lower = is_blocky ? nearest(u, v) : bilinear(chain_->level(i), u, v);
     if (!(level.share > 0.0f) || i == last) return lower;
-    const Color upper = bilinear(chain_->level(i + 1), u, v);
-    return lower + level.share * (upper - lower);
+    const DVec3 upper = bilinear(chain_->level(i + 1), u, v);
+    return lower + double{level.share} * (upper - lower);
 }
 
-Color ImageLookup::bilinear(const image::CodedImage& level, double u, double v) const {
+DVec3 ImageLookup::bilinear(const image::CodedImage& level, double u, double v) const {
     const Neighbours x(u, level.width, wrap_);
     const Neighbours y(v, level.height, wrap_);
     const auto blend = [](Color a, Color b, float share) { return a + share * (b - a); };
@@ -89,14 +89,14 @@ Color ImageLookup::bilinear(const image::CodedImage& level, double u, double v) 
         return blend(decoded(pixels + std::size_t{3} * x.first),
                      decoded(pixels + std::size_t{3} * x.second), x.share);
     };
-    return blend(row(y.first), row(y.second), y.share);
+    return DVec3{blend(row(y.first), row(y.second), y.share)};
 }
 
-Color ImageLookup::nearest(double u, double v) const {
+DVec3 ImageLookup::nearest(double u, double v) const {
     const image::CodedImage& picture = chain_->level(0);
     const auto x = std::min(static_cast<std::uint32_t>(u * picture.width), picture.width - 1);
     const auto y = std::min(static_cast<std::uint32_t>(v * picture.height), picture.height - 1);
-    return decoded(picture.rgb.data() + 3 * (std::size_t{y} * picture.width + x));
+    return DVec3{decoded(picture.rgb.data() + 3 * (std::size_t{y} * picture.width + x))};
 }
 
 }  // namespace lray::shade

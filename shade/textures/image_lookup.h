@@ -17,11 +17,11 @@ class ImageLookup {
     /// Returns the colour at (p.x, p.y): where a pixel of the picture is larger than the footprint
     /// by the filter of the texture, else the mean of about what the footprint covers, blended
     /// between two levels of the chain.
-    Color color(DVec3 p, const Footprint& footprint) const;
+    DVec3 color(const DVec3& p, const Footprint& footprint) const;
 
  private:
-    Color bilinear(const image::CodedImage& level, double u, double v) const;
-    Color nearest(double u, double v) const;
+    DVec3 bilinear(const image::CodedImage& level, double u, double v) const;
+    DVec3 nearest(double u, double v) const;
     Color decoded(const std::uint8_t* rgb) const {
         return {values_->linear[rgb[0]], values_->linear[rgb[1]], values_->linear[rgb[2]]};
     }

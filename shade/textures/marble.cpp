@@ -20,7 +20,7 @@ Marble::Marble(const scene::MarbleTexture& marble)
       turbulence_(marble.turbulence),
       axis_(static_cast<int>(marble.axis)) {}
 
-Color Marble::color(DVec3 p, const Footprint& footprint) const {
+DVec3 Marble::color(const DVec3& p, const Footprint& footprint) const {
     const double noise_scale = per_size_ * kNoisePerVein;
     const FractalNoise::Value bend = noise_.at(p * noise_scale, footprint.width() * noise_scale);
     const double place = p[axis_] * per_size_ + turbulence_ * bend.mean;
@@ -31,7 +31,7 @@ Color Marble::color(DVec3 p, const Footprint& footprint) const {
         const double mean = profile.integral(1.0);
         vein = mean + (vein - mean) * pattern_left(2.0 * footprint.across * per_size_);
     }
-    return mix(a_, b_, static_cast<float>(vein));
+    return mix(a_, b_, vein);
 }
 
 }  // namespace lray::shade

@@ -16,9 +16,9 @@ class Noise {
           stops_(noise.stops) {}
 
     /// Returns the colour at a point of the texture's space, averaged over the footprint.
-    Color color(DVec3 p, const Footprint& footprint) const {
+    DVec3 color(const DVec3& p, const Footprint& footprint) const {
         const FractalNoise::Value value = noise_.at(p, footprint.width());
-        return Color{stops_.mean(0.5 + 0.5 * value.mean, 0.5 * value.spread)};
+        return stops_.mean(0.5 + 0.5 * value.mean, 0.5 * value.spread);
     }
 
  private:

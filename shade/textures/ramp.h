@@ -14,8 +14,8 @@ class Ramp {
         : stops_(ramp.stops), axis_(static_cast<int>(ramp.axis)) {}
 
     /// Returns the colour at a point of the texture's space, averaged over the footprint.
-    Color color(DVec3 p, const Footprint& footprint) const {
-        return Color{stops_.mean(p[axis_], footprint.extent[axis_])};
+    DVec3 color(const DVec3& p, const Footprint& footprint) const {
+        return stops_.mean(p[axis_], footprint.extent[axis_]);
     }
 
  private:

@@ -11,7 +11,7 @@ Stripes::Stripes(const scene::StripesTexture& stripes)
       per_size_(1.0 / stripes.size),
       axis_(static_cast<int>(stripes.axis)) {}
 
-Color Stripes::color(DVec3 p, const Footprint& footprint) const {
+DVec3 Stripes::color(const DVec3& p, const Footprint& footprint) const {
     double mean =
         mean_square_wave(p[axis_] * per_size_ - kBorderShift, footprint.extent[axis_] * per_size_);
     if (footprint.across > 0.0) mean *= pattern_left(footprint.across * per_size_);

@@ -113,8 +113,8 @@ Color TextureSet::color(scene::TextureId id, const TexturePoint& point) const {
             footprint.extent = reach_of_disc(entry.linear, normal, width);
         }
     }
-    return std::visit([&](const auto& pattern) { return pattern.color(p, footprint); },
-                      entry.pattern);
+    return Color{std::visit([&](const auto& pattern) { return pattern.color(p, footprint); },
+                            entry.pattern)};
 }
 
 float TextureSet::number(scene::TextureId id, const TexturePoint& point) const {

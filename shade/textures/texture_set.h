@@ -36,6 +36,9 @@ class TextureSet {
     float number(scene::TextureId id, const TexturePoint& point) const;
 
  private:
+    // Patterns hand colours on as three doubles, and take points by reference: of three floats in
+    // two registers, and of copies of structs just written, gcc makes loads that wait for stores,
+    // which cost more than looking up a checker.
     using Pattern =
         std::variant<ImageLookup, Checker, Stripes, Gradient, Ramp, Noise, Marble, Wood>;
 

@@ -11,8 +11,8 @@ inline constexpr double kBorderShift = 1.0 / 1024.0;
 
 /// Returns the colour for the mean of a wave that is 1 in `a` and -1 in `b`; exactly one of them
 /// at either end.
-inline Color in_turn(Color a, Color b, double mean) {
-    return mix(b, a, static_cast<float>(0.5 + 0.5 * mean));
+inline DVec3 in_turn(DVec3 a, DVec3 b, double mean) {
+    return mix(b, a, 0.5 + 0.5 * mean);
 }
 
 }  // namespace lray::shade

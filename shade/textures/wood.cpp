@@ -25,7 +25,7 @@ Wood::Wood(const scene::WoodTexture& wood)
       turbulence_(wood.turbulence),
       axis_(static_cast<int>(wood.axis)) {}
 
-Color Wood::color(DVec3 p, const Footprint& footprint) const {
+DVec3 Wood::color(const DVec3& p, const Footprint& footprint) const {
     const double noise_scale = per_size_ * kNoisePerRing;
     DVec3 grain = p * noise_scale;
     grain[axis_] *= kGrain;
@@ -49,7 +49,7 @@ Color Wood::color(DVec3 p, const Footprint& footprint) const {
         const double mean = profile.integral(1.0);
         late = mean + (late - mean) * pattern_left(2.0 * footprint.across * per_size_);
     }
-    return mix(a_, b_, static_cast<float>(late));
+    return mix(a_, b_, late);
 }
 
 }  // namespace lray::shade

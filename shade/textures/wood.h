@@ -13,12 +13,12 @@ class Wood {
     explicit Wood(const scene::WoodTexture& wood);
 
     /// Returns the colour at a point of the texture's space, averaged over the footprint.
-    Color color(DVec3 p, const Footprint& footprint) const;
+    DVec3 color(const DVec3& p, const Footprint& footprint) const;
 
  private:
     FractalNoise noise_;
-    Color a_;
-    Color b_;
+    DVec3 a_;
+    DVec3 b_;
     double per_size_;  // rings in a unit of length
     double turbulence_;
     int axis_;  // of the trunk

@@ -16,7 +16,9 @@ TEST(FindFormat, NamesInAnyCaseAndNothingElse) {
     EXPECT_EQ(find_format(""), std::nullopt);
     EXPECT_EQ(find_format("pn"), std::nullopt);
     EXPECT_EQ(find_format("pngx"), std::nullopt);
-    EXPECT_EQ(find_format("jpg"), std::nullopt);
+    EXPECT_EQ(find_format("jpg"), Format::jpg);
+    EXPECT_EQ(find_format("JPEG"), Format::jpg);
+    EXPECT_EQ(find_format("jpe"), std::nullopt);
 }
 
 TEST(Extension, LastDotOfTheNameBeginsIt) {
@@ -42,7 +44,11 @@ TEST(WriteImage, EachFormatIsToldApartWhenReadBack) {
         const std::string file = directory.read("picture");
         const auto read = read_image(test::bytes_of(file), {}, error);
         ASSERT_TRUE(read) << error;
-        EXPECT_EQ(read->pixels, image.pixels);
+        EXPECT_EQ(read->width, image.width);
+        EXPECT_EQ(read->height, image.height);
+        if (format != Format::jpg) {
+            EXPECT_EQ(read->pixels, image.pixels);
+        }
         EXPECT_EQ(file.starts_with("P6"), format == Format::ppm);
     }
 }
@@ -50,7 +56,7 @@ TEST(WriteImage, EachFormatIsToldApartWhenReadBack) {
 TEST(ReadImage, UnknownBytesAreRefused) {
     std::string error;
     EXPECT_FALSE(read_image(test::bytes_of("GIF89a"), {}, error));
-    EXPECT_EQ(error, "this is neither a PNG nor a binary PPM (P6) file");
+    EXPECT_EQ(error, "this is not a PNG, JPEG or binary PPM (P6) file");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ const Color kA{0.9f, 0.5f, 0.1f};
 const Color kB{0.1f, 0.2f, 0.4f};
 
 Color at_point(const Checker& checker, DVec3 p) {
-    return checker.color(p, {});
+    return test::color_of(checker, p, {});
 }
 
 TEST(Checker, ColoursAlternateFromTheFirstCubeOnAlsoBelowZero) {
@@ -64,7 +64,7 @@ TEST(Checker, FootprintIsTheMeanOfItsPoints) {
                     sum += DVec3{at_point(checker, p + part * extent)};
                 }
             }
-            const Color mean = checker.color(p, {extent, 0.0});
+            const Color mean = test::color_of(checker, p, {extent, 0.0});
             for (int channel = 0; channel < 3; ++channel) {
                 EXPECT_NEAR(static_cast<double>(mean[channel]), sum[channel] / (kSteps * kSteps),
                             0.01)
@@ -83,7 +83,7 @@ TEST(Checker, FarAwayIsTheMiddleOfItsColours) {
         for (const Footprint& footprint :
              {Footprint{{2e3, 0.0, 2e3}, 0.0}, Footprint{DVec3{0.0}, 1.0},
               Footprint{{1e300, 0.0, 1e300}, 0.0}}) {
-            const Color color = checker.color(p, footprint);
+            const Color color = test::color_of(checker, p, footprint);
             for (int channel = 0; channel < 3; ++channel) {
                 EXPECT_NEAR(color[channel], middle[channel], 1e-3f);
             }
@@ -96,14 +96,14 @@ TEST(Stripes, AlternateAlongTheirAxisAlone) {
     test::Random random(3);
     for (int i = -5; i < 5; ++i) {
         const DVec3 p{random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), 0.25 * (i + 0.5)};
-        EXPECT_EQ(stripes.color(p, {}), (i & 1) == 0 ? kA : kB) << i;
+        EXPECT_EQ(test::color_of(stripes, p, {}), (i & 1) == 0 ? kA : kB) << i;
     }
 }
 
 TEST(Stripes, AcrossTheirAxisNothingIsAveraged) {
     const Stripes stripes({kA, kB, 1.0, scene::Axis::x});
-    EXPECT_EQ(stripes.color({0.5, 0.0, 0.0}, {{0.0, 50.0, 50.0}, 0.0}), kA);
-    EXPECT_NE(stripes.color({0.5, 0.0, 0.0}, {{1.5, 0.0, 0.0}, 0.0}), kA);
+    EXPECT_EQ(test::color_of(stripes, {0.5, 0.0, 0.0}, {{0.0, 50.0, 50.0}, 0.0}), kA);
+    EXPECT_NE(test::color_of(stripes, {0.5, 0.0, 0.0}, {{1.5, 0.0, 0.0}, 0.0}), kA);
 }
 
 TEST(SquareWave, MeanOfOneEdgeIsTheShareOnEachSide) {

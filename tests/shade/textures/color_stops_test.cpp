@@ -6,7 +6,7 @@
 
 #include "shade/textures/gradient.h"
 #include "shade/textures/ramp.h"
-#include "tests/support/random.h"
+#include "tests/shade/textures/worlds.h"
 
 namespace lray::shade {
 namespace {
@@ -82,8 +82,9 @@ TEST(ColorStops, NoNumberIsTooLarge) {
 TEST(Gradient, ComesAgainInEachUnit) {
     const Gradient gradient({scene::Axis::y, kStops});
     for (const double unit : {0.0, 1.0, -1.0, -3.0, 1024.0}) {
-        EXPECT_EQ(gradient.color({9.0, unit + 0.375, 9.0}, {}), Color(0.5f, 0.25f, 0.0f)) << unit;
-        EXPECT_EQ(gradient.color({9.0, unit + 0.125, 9.0}, {}), Color(0.0f)) << unit;
+        EXPECT_EQ(test::color_of(gradient, {9.0, unit + 0.375, 9.0}, {}), Color(0.5f, 0.25f, 0.0f))
+            << unit;
+        EXPECT_EQ(test::color_of(gradient, {9.0, unit + 0.125, 9.0}, {}), Color(0.0f)) << unit;
     }
 }
 
@@ -91,7 +92,7 @@ TEST(Gradient, FaceOnABorderOfUnitsHasOneColour) {
     const Gradient gradient({scene::Axis::x, {{0.0, Color{0.25f}}, {1.0, Color{1.0f}}}});
     for (const double border : {-2.0, 0.0, 1.0}) {
         for (const double error : {-1e-6, 0.0, 1e-6}) {
-            EXPECT_NEAR(gradient.color({border + error, 0.0, 0.0}, {}).r, 0.25f, 1e-5f);
+            EXPECT_NEAR(test::color_of(gradient, {border + error, 0.0, 0.0}, {}).r, 0.25f, 1e-5f);
         }
     }
 }
@@ -102,19 +103,21 @@ TEST(Gradient, FootprintIsTheMeanOfItsPoints) {
     for (int trial = 0; trial < 30; ++trial) {
         const double at = random.uniform(-2.0, 2.0);
         const double width = random.uniform(0.01, 3.0);
-        const auto value = [&](double x) { return DVec3{gradient.color({x, 0.0, 0.0}, {})}; };
-        expect_near(DVec3{gradient.color({at, 0.0, 0.0}, {{width, 0.0, 0.0}, 0.0})},
+        const auto value = [&](double x) {
+            return DVec3{test::color_of(gradient, {x, 0.0, 0.0}, {})};
+        };
+        expect_near(DVec3{test::color_of(gradient, {at, 0.0, 0.0}, {{width, 0.0, 0.0}, 0.0})},
                     mean_of(value, at - 0.5 * width, at + 0.5 * width), 0.01);
     }
 }
 
 TEST(Ramp, DoesNotComeAgain) {
     const Ramp ramp({scene::Axis::z, {{-4.0, Color{0.0f}}, {4.0, Color{1.0f}}}});
-    EXPECT_EQ(ramp.color({0.0, 0.0, -5.0}, {}), Color(0.0f));
-    EXPECT_EQ(ramp.color({0.0, 0.0, -4.0}, {}), Color(0.0f));
-    EXPECT_EQ(ramp.color({0.0, 0.0, 2.0}, {}), Color(0.75f));
-    EXPECT_EQ(ramp.color({0.0, 0.0, 1e30}, {}), Color(1.0f));
-    EXPECT_EQ(ramp.color({0.0, 0.0, 4.0}, {{0.0, 0.0, 8.0}, 0.0}), Color(0.875f));
+    EXPECT_EQ(test::color_of(ramp, {0.0, 0.0, -5.0}, {}), Color(0.0f));
+    EXPECT_EQ(test::color_of(ramp, {0.0, 0.0, -4.0}, {}), Color(0.0f));
+    EXPECT_EQ(test::color_of(ramp, {0.0, 0.0, 2.0}, {}), Color(0.75f));
+    EXPECT_EQ(test::color_of(ramp, {0.0, 0.0, 1e30}, {}), Color(1.0f));
+    EXPECT_EQ(test::color_of(ramp, {0.0, 0.0, 4.0}, {{0.0, 0.0, 8.0}, 0.0}), Color(0.875f));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Lookup {
     Lookup& operator=(const Lookup&) = delete;
 
     Color at(double x, double y, double extent = 0.0) const {
-        return lookup.color({x, y, 0.0}, {{extent, extent, 0.0}, 0.0});
+        return test::color_of(lookup, {x, y, 0.0}, {{extent, extent, 0.0}, 0.0});
     }
 };
 

@@ -39,6 +39,11 @@ inline shade::TexturePoint point_at(DVec3 p, double width = 0.0, DVec3 normal = 
     return point;
 }
 
+template <class Pattern>
+Color color_of(const Pattern& pattern, DVec3 p, const shade::Footprint& footprint) {
+    return Color{pattern.color(p, footprint)};
+}
+
 inline DVec3 point_in_box(Random& random, double size) {
     const double x = random.uniform(-size, size);
     const double y = random.uniform(-size, size);

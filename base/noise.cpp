@@ -93,6 +93,11 @@ class OctaveWalk {
         return value;
     }
 
+    void skip() {
+        seed_.bits = mix_bits(seed_.bits + kStep);
+        point_ *= octaves_.lacunarity;
+    }
+
  private:
     static constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15u;  // SplitMix64's
 
@@ -102,15 +107,21 @@ class OctaveWalk {
 };
 
 template <class Point>
-double fbm_of(Point p, const Octaves& octaves, NoiseSeed seed) {
+double fbm_of(Point p, const Octaves& octaves, NoiseSeed seed, double width = 0.0) {
     OctaveWalk<Point> walk(p, octaves, seed);
     double sum = 0.0;
     double weights = 0.0;
     double weight = 1.0;
     for (int i = 0; i < octaves.count; ++i) {
-        sum += weight * walk.next();
+        const double left = noise_left(width);
+        if (left > 0.0) {
+            sum += weight * left * walk.next();
+        } else {
+            walk.skip();
+        }
         weights += weight;
         weight *= octaves.gain;
+        width *= octaves.lacunarity;
     }
     return sum / weights;
 }
@@ -183,6 +194,9 @@ double fbm(DVec2 p, const Octaves& octaves, NoiseSeed seed) {
 }
 double fbm(DVec3 p, const Octaves& octaves, NoiseSeed seed) {
     return fbm_of(p, octaves, seed);
+}
+double fbm(DVec3 p, const Octaves& octaves, NoiseSeed seed, double width) {
+    return fbm_of(p, octaves, seed, width);
 }
 
 double ridged(double p, const Octaves& octaves, NoiseSeed seed) {

@@ -25,6 +25,11 @@ double noise(double p, NoiseSeed seed);
 double noise(DVec2 p, NoiseSeed seed);
 double noise(DVec3 p, NoiseSeed seed);
 
+/// The mean square of 3-dimensional noise, and that of its slope along an axis; measured over 2e7
+/// points.
+inline constexpr double kNoiseVariance = 0.0679;
+inline constexpr double kNoiseSquaredSlope = 0.462;
+
 /// Octaves of noise, each `lacunarity` times finer and `gain` times as strong as the one before.
 struct Octaves {
     static constexpr int kMaxCount = 32;
@@ -40,6 +45,17 @@ struct Octaves {
 double fbm(double p, const Octaves& octaves, NoiseSeed seed);
 double fbm(DVec2 p, const Octaves& octaves, NoiseSeed seed);
 double fbm(DVec3 p, const Octaves& octaves, NoiseSeed seed);
+
+/// Returns how much of noise is left when it is averaged over a width, in cells of its lattice: all
+/// of it up to half a cell, and nothing from a cell on, where one sample for each width could not
+/// tell it from other noise.
+constexpr double noise_left(double width) {
+    if (!(width > 0.5)) return 1.0;  // NaN too
+    return width < 1.0 ? 2.0 - 2.0 * width : 0.0;
+}
+
+/// Likewise, averaged over about `width`: each octave counts for what is left of it.
+double fbm(DVec3 p, const Octaves& octaves, NoiseSeed seed, double width);
 
 /// Returns ridged multifractal noise in [-1, 1]: sharp crests near 1, and detail on them alone.
 /// Source: Musgrave 2003, in Ebert et al., "Texturing and Modeling", 3rd ed., ch. 16.

@@ -9,7 +9,8 @@
 namespace lray::scene {
 
 /// Returns the mean linear colour of a pattern: of a picture that of its pixels, of a gradient its
-/// integral, of two colours in turn or mixed by noise the middle of them.
+/// integral, of two colours in turn the middle of them; of noise, marble and wood what they show in
+/// the long run.
 Color average_color(const TexturePattern& pattern, std::span<const Picture> pictures);
 
 }  // namespace lray::scene

@@ -14,6 +14,11 @@ struct TexturePoint {
     double uv_width = 0.0;
     double object_width = 0.0;
     double world_width = 0.0;
+
+    // The plane of the surface, as its unit normal: a pixel reaches along it, not through it. 0:
+    // unknown; then only what is finer than the width is averaged, and edges stay sharp.
+    DVec3 object_normal{0.0};
+    DVec3 world_normal{0.0};
 };
 
 }  // namespace lray::shade

@@ -45,15 +45,15 @@ std::string_view extension(std::string_view path) {
     return name.substr(dot + 1);
 }
 
-bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
+bool write_image(OutputFile& out, const Image& image, Format format, Gamma gamma, Metadata metadata,
                  std::string& error) {
     switch (format) {
         case Format::ppm:
-            if (write_ppm(out, image)) return true;
+            if (write_ppm(out, image, gamma)) return true;
             error = out.error();
             return false;
         case Format::png:
-            return write_png(out, image, metadata, error);
+            return write_png(out, image, gamma, metadata, error);
     }
     LRAY_ASSERT(false);
 }

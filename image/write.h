@@ -11,6 +11,7 @@
 
 #include "base/output_file.h"
 #include "image/image.h"
+#include "image/tone_map.h"
 
 namespace lray::image {
 
@@ -29,9 +30,9 @@ std::string_view extension(std::string_view path);
 /// Keyword and text, stored in the file where the format can (PNG: iTXt or tEXt).
 using Metadata = std::span<const std::pair<std::string, std::string>>;
 
-/// Writes the picture as 8-bit sRGB. The bytes depend on the arguments alone: no time, no version.
+/// Writes the picture in 8 bits. The bytes depend on the arguments alone: no time, no version.
 /// Errors: false, and `error` tells why in words.
-bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
+bool write_image(OutputFile& out, const Image& image, Format format, Gamma gamma, Metadata metadata,
                  std::string& error);
 
 }  // namespace lray::image

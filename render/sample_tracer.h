@@ -3,7 +3,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 
+#include "base/ray.h"
+#include "base/sampler.h"
 #include "bvh/accel.h"
 #include "render/camera_rays.h"
 #include "render/film.h"
@@ -14,6 +17,12 @@
 
 namespace lray::render {
 
+/// A pixel of a film.
+struct FilmPlace {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+};
+
 /// What all samples of a view have in common. Const calls are thread-safe. The world and the
 /// hierarchy must outlive it.
 class SampleTracer {
@@ -21,13 +30,17 @@ class SampleTracer {
     SampleTracer(const scene::World& world, const bvh::Accel& accel, const scene::Camera& camera,
                  const RenderOptions& options);
 
-    /// Adds one sample of each pixel of a part of the full picture to a film of its size, row by
-    /// row, and their cost to `counts`. Returns how many it added: fewer than all once `cancel` is
-    /// set.
-    std::uint32_t add_sample(const PixelRect& part, std::uint32_t sample, Film& film,
-                             bvh::TraceCounts& counts, const std::atomic<bool>& cancel) const;
+    /// Adds samples of some pixels of a part of the full picture to a film of its size, one of each
+    /// pixel after the other, and their cost to `counts`. Returns how many it added: fewer than all
+    /// once `cancel` is set. Shape: `places` lie on the film, in any order.
+    std::uint64_t add_samples(const PixelRect& part, std::span<const FilmPlace> places,
+                              SampleRange samples, Film& film, bvh::TraceCounts& counts,
+                              const std::atomic<bool>& cancel) const;
 
  private:
+    PixelSample pixel_sample(std::uint32_t x, std::uint32_t y, std::uint32_t index) const;
+    Ray camera_ray(std::uint32_t x, std::uint32_t y, const PixelSample& sample) const;
+
     const bvh::Accel& accel_;
     CameraRays rays_;
     RenderOptions options_;

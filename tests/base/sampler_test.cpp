@@ -181,6 +181,38 @@ TEST(PixelSample, OneSampleIsUniformOverPixels) {
     }
 }
 
+template <class Pair>
+void expect_uniform(const Pair& pair) {
+    std::vector<std::uint32_t> found(kCells * kCells);
+    for (std::uint32_t i = 0; i < 65'536; ++i) {
+        const DVec2 at = pair(i);
+        ++found[static_cast<std::size_t>(at.y * kCells) * kCells +
+                static_cast<std::size_t>(at.x * kCells)];
+    }
+    EXPECT_LT(chi_square(found, 256.0), chi_square_bound(255.0));
+    EXPECT_GT(chi_square(found, 256.0), 150.0) << "too even to be random";
+}
+
+TEST(PixelSample, SeedsDecisionsAndNeighboursAreIndependent) {
+    for (const SamplerKind kind : kKinds) {
+        const auto of = [&](std::uint64_t seed, std::uint32_t x, std::uint32_t index) {
+            return PixelSample::of(kind, seed, x, 4, index);
+        };
+        expect_uniform([&](std::uint32_t i) { return of(i, 17, 0).pair(0); });
+        expect_uniform([&](std::uint32_t i) { return of(0, 17, 0).pair(i); });
+        expect_uniform([&](std::uint32_t i) {
+            return DVec2{of(i, 17, 0).pair(0).x, of(i + 1, 17, 0).pair(0).y};
+        });
+        expect_uniform([&](std::uint32_t i) {
+            return DVec2{of(0, i, 3).pair(0).y, of(0, i + 1, 3).pair(0).y};
+        });
+        // The same sample of other numbers of samples, as of pixels that have not the same.
+        expect_uniform([&](std::uint32_t i) {
+            return DVec2{of(0, i, 3).pair(0).x, of(0, i, 4).pair(1).x};
+        });
+    }
+}
+
 TEST(PixelSample, RandomIsUniformInOnePixelAndSobolMoreEvenThanThat) {
     for (const SamplerKind kind : kKinds) {
         std::vector<std::uint32_t> found(kCells * kCells);

@@ -504,6 +504,11 @@ constexpr CodeInfo kInfos[] = {
  "The scene has no camera; one is placed so that everything is in view.",
  "sphere { }",
  "camera { position: [0, 2, 6] }\nsphere { }"},
+{LRAY_CODE(W1502), "no light",
+ "The scene has no light and no environment. It is painted flat, each object in the colour of its "
+ "`diffuse`, instead of black. With `-n 1` and with `--shading flat` that is what is asked for.",
+ "camera { position: [0, 2, 6] }\nsphere { }",
+ "camera { position: [0, 2, 6] }\ndirectional_light { direction: [-1, -2, -1.5] }\nsphere { }"},
 {LRAY_CODE(W1503), "empty scene",
  "The scene holds nothing to see. A thing made with `let` is not yet placed: write its name and "
  "braces.",

@@ -41,7 +41,9 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     if (!usage_mistakes.empty()) return report_usage_mistakes(usage_mistakes);
     const auto world =
         scene ? scene::flatten(*scene, options.flatten_limits, diagnostics) : std::nullopt;
-    if (world) scene::lint(*scene, *world, {.resolution = options.size}, diagnostics);
+    if (world) {
+        scene::lint(*scene, *world, {options.size, expects_light(options)}, diagnostics);
+    }
     times.flatten = watch.lap();
     LRAY_ASSERT(world || diagnostics.has_errors());
     if (const auto end = report.print(diagnostics, sources, options)) return *end;
@@ -65,7 +67,7 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     const render::RenderResult result = render_view(view, *world, *accel, progress);
     times.render = watch.lap();
     const ExitCode exit_code =
-        save_picture(std::move(std::get<OutputFile>(opened)), result, scene->info, options);
+        save_picture(std::move(std::get<OutputFile>(opened)), result, view, scene->info, options);
     times.write = watch.lap();
     if (options.stats != StatsFormat::none) {
         print_stats({*world, options, view, accel->stats(), result, times});

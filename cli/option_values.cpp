@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <initializer_list>
 #include <iterator>
 #include <utility>
@@ -73,6 +74,14 @@ std::optional<std::uint64_t> parse_number(std::string_view text) {
     return number;
 }
 
+std::optional<double> parse_decimal(std::string_view text) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    if (!std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
 std::string wrong_number(std::string_view text, std::uint64_t low, std::uint64_t high,
                          std::uint64_t largest) {
     const bool is_too_large = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
@@ -109,6 +118,42 @@ std::string store_sample_range(Options& options, std::string_view text) {
     if (begin >= end) return fmt::format("`{}` holds no sample: A must be less than B", text);
     options.sample_range = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
     return {};
+}
+
+std::string store_time(Options& options, std::string_view text) {
+    struct Unit {
+        std::string_view name{};
+        double seconds = 1.0;
+    };
+    constexpr std::array<Unit, 4> kUnits{{{"ms", 0.001}, {"s", 1.0}, {"m", 60.0}, {"h", 3600.0}}};
+    const std::size_t end = text.find_first_not_of("0123456789.");
+    const auto number = parse_decimal(text.substr(0, end));
+    const std::string_view written = end == text.npos ? std::string_view{} : text.substr(end);
+    const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
+                                   [&](const Unit& known) { return known.name == written; });
+    if (number && *number > 0.0 && unit != kUnits.end()) {
+        options.sample_limits.seconds = *number * unit->seconds;
+        return {};
+    }
+    std::string wrong =
+        fmt::format("takes a duration like `500ms`, `30s`, `5m` or `2h`, not `{}`", text);
+    if (number && *number > 0.0 && written.empty()) wrong += fmt::format("; `{}s`?", text);
+    return wrong;
+}
+
+std::string store_noise(Options& options, std::string_view text) {
+    const auto number = parse_decimal(text);
+    if (!number || !(*number > 0.0) || *number > 1.0) {
+        return fmt::format("takes a share of white above 0, like `0.01`, up to 1, not `{}`", text);
+    }
+    options.sample_limits.noise = *number;
+    return {};
+}
+
+std::string store_sampler(Options& options, std::string_view text) {
+    using enum SamplerKind;
+    return store_word<SamplerKind>(options.sampler.emplace(), text,
+                                   {{"sobol", sobol}, {"random", random}});
 }
 
 std::string store_size(Options& options, std::string_view text) {
@@ -163,14 +208,14 @@ std::string store_quality(Options& options, std::string_view text) {
 }
 
 std::string store_shading(Options& options, std::string_view text) {
-    if (text == "full" || text == "uv") {
-        return fmt::format("{} is not available in this version; flat, normals, depth and cost are",
-                           text);
-    }
     using enum shade::Shader;
-    return store_word<shade::Shader>(
-        options.shader, text,
-        {{"flat", flat}, {"normals", normals}, {"depth", depth}, {"cost", cost}});
+    return store_word<shade::Shader>(options.shader.emplace(), text,
+                                     {{"full", full},
+                                      {"flat", flat},
+                                      {"normals", normals},
+                                      {"uv", uv},
+                                      {"depth", depth},
+                                      {"cost", cost}});
 }
 
 std::string store_stats(Options& options, std::string_view text) {

@@ -21,6 +21,9 @@ std::string store_number(Integer& target, std::string_view text, std::uint64_t l
 std::string store_level(Options& options, std::string_view text);
 std::string store_samples(Options& options, std::string_view text);
 std::string store_sample_range(Options& options, std::string_view text);
+std::string store_time(Options& options, std::string_view text);
+std::string store_noise(Options& options, std::string_view text);
+std::string store_sampler(Options& options, std::string_view text);
 std::string store_size(Options& options, std::string_view text);
 std::string store_crop(Options& options, std::string_view text);
 std::string store_accel(Options& options, std::string_view text);
@@ -44,6 +47,9 @@ std::vector<std::string_view> meant_names(std::string_view written,
 
 /// Reads a whole number without a sign; empty if it is none.
 std::optional<std::uint64_t> parse_number(std::string_view text);
+
+/// Reads a decimal number, with an exponent or without; empty if it is none.
+std::optional<double> parse_decimal(std::string_view text);
 
 /// What is wrong with a number that must lie in this range.
 std::string wrong_number(std::string_view text, std::uint64_t low, std::uint64_t high,

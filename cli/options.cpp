@@ -245,6 +245,15 @@ std::optional<Failure> check_samples(const Options& options) {
                        "they count from 0; without `-ps` the range alone says which");
 }
 
+/// A part of the samples is to be added to the other parts: it must be known which they are.
+std::optional<Failure> check_limits(const Options& options) {
+    if (!options.sample_range || !options.sample_limits.is_any()) return std::nullopt;
+    return usage_error(fmt::format("`--samples {}:{}` and `{}` do not go together",
+                                   options.sample_range->begin, options.sample_range->end,
+                                   options.sample_limits.seconds ? "--time" : "--noise"),
+                       "a part of the samples is always rendered whole; leave one of the two out");
+}
+
 /// A level is a set of defaults: what is given by hand stays.
 void apply_level(Options& options) {
     const bool is_first = options.level == 1u;
@@ -253,6 +262,7 @@ void apply_level(Options& options) {
                                                       : bvh::AccelKind::boxes;
     options.accel = options.accel.value_or(usual);
     options.position = is_first ? render::PixelPosition::center : render::PixelPosition::random;
+    if (is_first && !options.shader) options.shader = shade::Shader::flat;
 }
 
 void warn_of_ignored(Options& options) {
@@ -270,6 +280,9 @@ void warn_of_ignored(Options& options) {
         warn(fmt::format("--samples {}:{}", range->begin, range->end));
     }
     if (options.seed) warn(fmt::format("--seed {}", *options.seed));
+    if (options.sampler) warn("--sampler");
+    if (options.sample_limits.seconds) warn("--time");
+    if (options.sample_limits.noise) warn("--noise");
 }
 
 }  // namespace
@@ -313,6 +326,7 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
     if (auto failure = check_numbering(options)) return *failure;
     if (auto failure = choose_format(options)) return *failure;
     if (auto failure = check_samples(options)) return *failure;
+    if (auto failure = check_limits(options)) return *failure;
     apply_level(options);
     warn_of_ignored(options);
     return options;

@@ -56,8 +56,10 @@ struct Options {
     std::optional<bvh::AccelKind> accel{};  // set once parsed, by the level if it is not given
     std::optional<bvh::BuildQuality> quality{};  // of boxes; medium if it is not given
     render::PixelPosition position = render::PixelPosition::random;  // by the level
-    shade::Shader shader = shade::Shader::flat;
-    std::uint32_t thread_count = 0;  // 0: all
+    std::optional<shade::Shader> shader{};  // set once parsed at level 1; else the scene decides
+    std::optional<SamplerKind> sampler{};
+    render::SampleLimits sample_limits{};  // --time, --noise
+    std::uint32_t thread_count = 0;        // 0: all
 
     std::vector<parser::Definition> definitions{};  // -D, in order
     std::optional<FrameRange> frames{};             // --frame, --frames

@@ -23,9 +23,10 @@ class Progress {
     /// Returns what to write before a hierarchy is built: nothing if it will be quick.
     std::string building(std::uint64_t primitive_count);
 
-    /// Returns what to write now, often nothing. A bar appears once the render has lasted half a
-    /// second and is redrawn in its line; a line comes each 10 % or 30 s, the first not before the
-    /// render has lasted two seconds.
+    /// Returns what to write now, often nothing: the share done and the time left, and of a render
+    /// that is not of a fixed number of samples how many there are and how many pixels are done. A
+    /// bar appears once the render has lasted half a second and is redrawn in its line; a line
+    /// comes each 10 % or 30 s, the first not before the render has lasted two seconds.
     std::string update(const render::RenderProgress& progress, double elapsed_seconds);
 
     /// Returns what to write at the end: erases the bar.
@@ -33,7 +34,7 @@ class Progress {
 
  private:
     std::string whole_line(const std::string& text);
-    std::string bar(double share, double elapsed_seconds) const;
+    std::string bar(const render::RenderProgress& progress, double elapsed_seconds) const;
 
     ProgressStyle style_ = ProgressStyle::silent;
     std::string label_;

@@ -13,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/library.h"
+#include "image/tone_map.h"
 #include "render/threads.h"
 
 namespace lray::cli {
@@ -58,16 +59,20 @@ Failure output_failure(std::string reason) {
 }
 
 /// Empty when the picture is in its file.
-std::optional<Failure> write_picture(OutputFile output, const image::Image& image,
-                                     image::Format format, image::Metadata metadata) {
+std::optional<Failure> write_picture(OutputFile output, const image::Image& image, const View& view,
+                                     image::Metadata metadata, const Options& options) {
     std::string error;
-    if (!write_image(output, image, format, metadata, error)) return output_failure(error);
+    const image::Gamma gamma = view.render_options.display.gamma;
+    if (!write_image(output, image, *options.format, gamma, metadata, error)) {
+        return output_failure(error);
+    }
     if (!output.commit()) return output_failure(output.error());
     return std::nullopt;
 }
 
-ExitCode save_partial_picture(const render::RenderResult& result, image::Metadata metadata,
-                              const Options& options, ExitCode exit_code) {
+ExitCode save_partial_picture(const render::RenderResult& result, const View& view,
+                              image::Metadata metadata, const Options& options,
+                              ExitCode exit_code) {
     const bool is_empty = result.primary.rays == 0;  // interrupted while the hierarchy was built
     if (is_empty || is_special_file(options.output_path)) {
         print_message("lray: interrupted; nothing was written\n");
@@ -77,7 +82,7 @@ ExitCode save_partial_picture(const render::RenderResult& result, image::Metadat
     std::string error;
     auto output = OutputFile::open(path, error);
     std::optional<Failure> failure =
-        output ? write_picture(std::move(*output), result.image, *options.format, metadata)
+        output ? write_picture(std::move(*output), result.image, view, metadata, options)
                : output_failure(error);
     if (failure) {
         report_failure(*failure);
@@ -182,17 +187,18 @@ render::RenderResult render_view(const View& view, const scene::World& world,
     render::RenderResult result = render::render(world, accel, view.camera, view.render_options,
                                                  on_progress, stop_requested());
     print_message(progress.finish());
+    result.image = image::displayed(std::move(result.image), view.render_options.display);
     return result;
 }
 
-ExitCode save_picture(OutputFile output, const render::RenderResult& result,
+ExitCode save_picture(OutputFile output, const render::RenderResult& result, const View& view,
                       image::Metadata metadata, const Options& options) {
     if (!result.is_complete) {
         const auto exit_code = interrupt_exit_code();
         LRAY_ASSERT(exit_code);
-        return save_partial_picture(result, metadata, options, *exit_code);
+        return save_partial_picture(result, view, metadata, options, *exit_code);
     }
-    const auto failure = write_picture(std::move(output), result.image, *options.format, metadata);
+    const auto failure = write_picture(std::move(output), result.image, view, metadata, options);
     return failure ? report_failure(*failure) : ExitCode::done;
 }
 

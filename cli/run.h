@@ -42,13 +42,14 @@ std::variant<OutputFile, Failure> open_output(const Options& options,
 std::unique_ptr<bvh::Accel> build_hierarchy(const scene::World& world, const Options& options,
                                             Progress& progress);
 
-/// Renders with progress on stderr, until done or interrupted.
+/// Renders with progress on stderr, until done or interrupted, and brings the picture to its
+/// display.
 render::RenderResult render_view(const View& view, const scene::World& world,
                                  const bvh::Accel& accel, Progress& progress);
 
 /// Writes the picture, or what there is of it beside the output if it was interrupted, and says
 /// so.
-ExitCode save_picture(OutputFile output, const render::RenderResult& result,
+ExitCode save_picture(OutputFile output, const render::RenderResult& result, const View& view,
                       image::Metadata metadata, const Options& options);
 
 /// "a/image.png" -> "a/image.partial.png".

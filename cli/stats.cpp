@@ -99,10 +99,25 @@ std::string hierarchy_text(const RenderReport& report) {
         name, accel.nodes, accel.leaves, accel.depth, accel.references, accel.cost, mebibytes);
 }
 
+double mean_samples(const RenderReport& report) {
+    return ratio(report.result.sample_count, report.view.pixel_count());
+}
+
 std::string picture_text(const RenderReport& report) {
-    const std::uint32_t samples = report.view.render_options.samples.count();
-    return fmt::format("{} x {} pixels, {} sample{} each", report.result.image.width,
-                       report.result.image.height, samples, samples == 1 ? "" : "s");
+    const render::RenderResult& result = report.result;
+    const render::SampleLimits& limits = report.view.render_options.limits;
+    const std::string size = fmt::format("{} x {} pixels", result.image.width, result.image.height);
+    if (!limits.is_any()) {
+        const std::uint32_t samples = report.view.render_options.samples.count();
+        return fmt::format("{}, {} sample{} each", size, samples, samples == 1 ? "" : "s");
+    }
+    std::string text = fmt::format("{}, {} samples, {:.1f} each on average", size,
+                                   result.sample_count, mean_samples(report));
+    if (limits.noise) {
+        const double share = ratio(result.converged_pixels, report.view.pixel_count());
+        text += fmt::format("; {:.1f} % of the pixels are as quiet as asked for", 100.0 * share);
+    }
+    return text;
 }
 
 std::string tests_text(const bvh::TraceCounts& counts) {
@@ -164,7 +179,10 @@ std::string format_stats_json(const RenderReport& report) {
     json.member("width", std::uint64_t{result.image.width});
     json.member("height", std::uint64_t{result.image.height});
     json.member("first_sample", std::uint64_t{samples.begin});
-    json.member("samples", std::uint64_t{samples.count()}).end_object();
+    json.member("samples", std::uint64_t{samples.count()});
+    json.member("samples_taken", result.sample_count);
+    json.key("samples_per_pixel").decimal(mean_samples(report));
+    json.member("converged_pixels", result.converged_pixels).end_object();
     json.key("rays").begin_object().key("primary").begin_object();
     json.member("count", result.primary.rays).member("node_tests", result.primary.node_tests);
     json.member("primitive_tests", result.primary.primitive_tests);

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "render/film.h"
 #include "render/fit_camera.h"
+#include "scene/lit.h"
 
 namespace lray::cli {
 
@@ -57,7 +59,7 @@ std::optional<Failure> check_size(const View& view, const Options& options) {
 }
 
 /// Which samples of each pixel: the command line over the camera over the render block. The centre
-/// of a pixel is one place.
+/// of a pixel is one place; what ends a render earlier leaves the number open.
 render::SampleRange samples_of(const scene::Scene& scene, const scene::Camera* camera,
                                const Options& options) {
     if (options.position == render::PixelPosition::center) return {0, 1};
@@ -65,12 +67,41 @@ render::SampleRange samples_of(const scene::Scene& scene, const scene::Camera* c
         const auto [begin, end] = *options.sample_range;
         return {begin, std::min(end, options.samples.value_or(end))};
     }
+    if (options.sample_limits.is_any()) {
+        return {0, options.samples.value_or(render::Film::kMaxSamples)};
+    }
     std::uint32_t count = scene.render.samples;
     if (camera != nullptr) count = camera->samples.value_or(count);
     return {0, options.samples.value_or(count)};
 }
 
+/// What the picture shows: as asked for, else light if there is any.
+shade::Settings shading_of(const scene::Scene& scene, const scene::World& world,
+                           const scene::Camera* camera, const Options& options) {
+    const shade::Shader usual =
+        scene::is_lit(scene, world) ? shade::Shader::full : shade::Shader::flat;
+    shade::Settings shading;
+    shading.shader = options.shader.value_or(usual);
+    shading.background = scene.render.background;
+    if (camera != nullptr) shading.background = camera->background.value_or(shading.background);
+    shading.integrator = scene.render.integrator;
+    shading.ambient = scene.render.ambient;
+    shading.max_depth = scene.render.max_depth;
+    shading.transparent_shadows = scene.render.transparent_shadows;
+    return shading;
+}
+
+/// Exposure and tone map are for light: what else is shown has values of its own.
+image::DisplaySettings display_of(const scene::RenderSettings& render, shade::Shader shader) {
+    if (shader != shade::Shader::full) return {.gamma = render.gamma};
+    return {render.exposure, render.tonemap, render.gamma};
+}
+
 }  // namespace
+
+bool expects_light(const Options& options) {
+    return options.level != 1u && !options.shader;
+}
 
 std::uint64_t View::pixel_count() const {
     const auto [width, height] = render_options.resolution;
@@ -78,7 +109,8 @@ std::uint64_t View::pixel_count() const {
 }
 
 std::uint64_t View::ray_count() const {
-    return pixel_count() * render_options.samples.count();
+    const bool is_limited = render_options.limits.is_any();
+    return pixel_count() * (is_limited ? 1 : render_options.samples.count());
 }
 
 std::variant<View, Failure> choose_view(const scene::Scene& scene, const scene::World& world,
@@ -93,20 +125,23 @@ std::variant<View, Failure> choose_view(const scene::Scene& scene, const scene::
     const bool has_camera = camera != scene.cameras.end();
     View view;
     view.render_options.resolution = scene.render.resolution;
-    view.render_options.shading.background = scene.render.background;
     if (has_camera) {
         view.camera = *camera;
         view.render_options.resolution =
             camera->resolution.value_or(view.render_options.resolution);
-        view.render_options.shading.background =
-            camera->background.value_or(view.render_options.shading.background);
     }
     view.render_options.resolution = options.size.value_or(view.render_options.resolution);
     view.render_options.crop = options.crop;
-    view.render_options.samples = samples_of(scene, has_camera ? &*camera : nullptr, options);
+    const scene::Camera* const chosen = has_camera ? &*camera : nullptr;
+    view.render_options.samples = samples_of(scene, chosen, options);
     view.render_options.position = options.position;
+    view.render_options.sampler = options.sampler.value_or(scene.render.sampler);
+    if (options.position == render::PixelPosition::random) {
+        view.render_options.limits = options.sample_limits;
+    }
     view.render_options.seed = options.seed.value_or(scene.render.seed);
-    view.render_options.shading.shader = options.shader;
+    view.render_options.shading = shading_of(scene, world, chosen, options);
+    view.render_options.display = display_of(scene.render, view.render_options.shading.shader);
     view.render_options.thread_count = options.thread_count;
     // Without a hierarchy a ray may take long: stopping must not wait for many.
     if (options.accel == bvh::AccelKind::none) view.render_options.batch_size = 1;

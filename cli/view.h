@@ -17,8 +17,11 @@ struct View {
     render::RenderOptions render_options{};
 
     std::uint64_t pixel_count() const;  // of the crop, if there is one
-    std::uint64_t ray_count() const;    // from the camera
+    std::uint64_t ray_count() const;    // from the camera; with limits, at least
 };
+
+/// True if the picture shows light where the scene has it: no other shading is asked for.
+bool expects_light(const Options& options);
 
 /// Chooses the view. A scene without a camera gets one that sees all of the world.
 /// Errors: a usage error for an unknown camera or a crop that leaves the picture, a limit error

@@ -237,7 +237,7 @@ std::string_view refusal_of(J_COLOR_SPACE colors) {
 
 }  // namespace
 
-bool write_jpeg(OutputFile& out, const Image& image, Metadata metadata, int quality,
+bool write_jpeg(OutputFile& out, const Image& image, Gamma gamma, Metadata metadata, int quality,
                 std::string& error) {
     LRAY_ASSERT(image.width > 0 && image.height > 0);
     LRAY_ASSERT(quality >= 1 && quality <= 100);
@@ -249,7 +249,7 @@ bool write_jpeg(OutputFile& out, const Image& image, Metadata metadata, int qual
         is_written = is_written && writer.write_comment(name + ": " + value);
     }
     for (std::size_t y = 0; is_written && y < image.height; ++y) {
-        srgb_encode_row(std::span(image.pixels).subspan(y * image.width, image.width), row);
+        encode_row(std::span(image.pixels).subspan(y * image.width, image.width), gamma, row);
         is_written = writer.write_row(row.data());
     }
     if (is_written && writer.end()) return true;

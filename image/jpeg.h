@@ -10,15 +10,16 @@
 #include "image/coded_image.h"
 #include "image/image.h"
 #include "image/read.h"
+#include "image/tone_map.h"
 #include "image/write.h"
 
 namespace lray::image {
 
-/// Writes the picture as sRGB in a JFIF file, the metadata as comments ("title: A room"). From a
+/// Writes the picture in a JFIF file, the metadata as comments ("title: A room"). From a
 /// quality of 90 on colours are as sharp as brightness, below half as sharp. No time is stored.
 /// Asserts a picture of at least one pixel and a quality of 1 to 100.
 /// Errors: false, and `error` tells why in words.
-bool write_jpeg(OutputFile& out, const Image& image, Metadata metadata, int quality,
+bool write_jpeg(OutputFile& out, const Image& image, Gamma gamma, Metadata metadata, int quality,
                 std::string& error);
 
 /// True if the file begins with the signature of a JPEG.

@@ -73,12 +73,16 @@ struct Writer {
         return true;
     }
 
-    bool begin(std::uint32_t width, std::uint32_t height, std::span<png_text> texts) {
+    bool begin(std::uint32_t width, std::uint32_t height, Gamma gamma, std::span<png_text> texts) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_set_user_limits(png, kMaxWriteSide, kMaxWriteSide);
         png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        if (gamma == Gamma::srgb) {
+            png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        } else {
+            png_set_gAMA_fixed(png, info, PNG_FP_1);
+        }
         if (!texts.empty()) png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
         png_write_info(png, info);
         return true;
@@ -179,16 +183,17 @@ std::vector<png_text> make_texts(Metadata metadata, std::vector<std::string>& ke
 
 }  // namespace
 
-bool write_png(OutputFile& out, const Image& image, Metadata metadata, std::string& error) {
+bool write_png(OutputFile& out, const Image& image, Gamma gamma, Metadata metadata,
+               std::string& error) {
     LRAY_ASSERT(image.width > 0 && image.height > 0);
     std::vector<std::string> keywords;
     std::vector<png_text> texts = make_texts(metadata, keywords);
     std::vector<std::uint8_t> row(std::size_t{3} * image.width);
 
     Writer writer;
-    bool is_written = writer.open(out) && writer.begin(image.width, image.height, texts);
+    bool is_written = writer.open(out) && writer.begin(image.width, image.height, gamma, texts);
     for (std::size_t y = 0; is_written && y < image.height; ++y) {
-        srgb_encode_row(std::span(image.pixels).subspan(y * image.width, image.width), row);
+        encode_row(std::span(image.pixels).subspan(y * image.width, image.width), gamma, row);
         is_written = writer.write_row(row.data());
     }
     if (is_written && writer.end()) return true;

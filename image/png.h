@@ -1,4 +1,4 @@
-// Portable Network Graphics: 8-bit RGB, marked as sRGB.
+// Portable Network Graphics: 8-bit RGB, marked as sRGB or as linear.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,17 @@
 #include "image/coded_image.h"
 #include "image/image.h"
 #include "image/read.h"
+#include "image/tone_map.h"
 #include "image/write.h"
 
 namespace lray::image {
 
-/// Writes the picture with an sRGB chunk and the metadata as tEXt (ASCII) or iTXt (other UTF-8).
-/// Keywords begin with a capital letter there and are cut to the 79 characters the format allows.
-/// No time is stored. Asserts a picture of at least one pixel.
+/// Writes the picture with an sRGB chunk (or of linear codes a gAMA of 1) and the metadata as tEXt
+/// (ASCII) or iTXt (other UTF-8). Keywords begin with a capital letter there and are cut to the 79
+/// characters the format allows. No time is stored. Asserts a picture of at least one pixel.
 /// Errors: false, and `error` tells why in words.
-bool write_png(OutputFile& out, const Image& image, Metadata metadata, std::string& error);
+bool write_png(OutputFile& out, const Image& image, Gamma gamma, Metadata metadata,
+               std::string& error);
 
 /// True if the file begins with the signature of a PNG.
 bool is_png(std::span<const std::byte> file);

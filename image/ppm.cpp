@@ -67,7 +67,7 @@ class HeaderReader {
 
 }  // namespace
 
-bool write_ppm(OutputFile& out, const Image& image) {
+bool write_ppm(OutputFile& out, const Image& image, Gamma gamma) {
     LRAY_ASSERT(image.width > 0 && image.height > 0);
     if (!out.write(fmt::format("P6\n{} {}\n255\n", image.width, image.height))) return false;
 
@@ -76,7 +76,7 @@ bool write_ppm(OutputFile& out, const Image& image) {
     for (std::size_t first = 0; first < image.pixels.size(); first += batch) {
         const std::size_t count = std::min(batch, image.pixels.size() - first);
         const std::span row = std::span(bytes).first(3 * count);
-        srgb_encode_row(std::span(image.pixels).subspan(first, count), row);
+        encode_row(std::span(image.pixels).subspan(first, count), gamma, row);
         if (!out.write(std::as_bytes(row))) return false;
     }
     return true;

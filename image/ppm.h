@@ -10,13 +10,14 @@
 #include "image/coded_image.h"
 #include "image/image.h"
 #include "image/read.h"
+#include "image/tone_map.h"
 
 namespace lray::image {
 
 /// Writes "P6\n<width> <height>\n255\n" and the rows from the top. Asserts a picture of at least
 /// one pixel.
 /// Errors: false; out.error() tells why.
-bool write_ppm(OutputFile& out, const Image& image);
+bool write_ppm(OutputFile& out, const Image& image, Gamma gamma);
 
 /// Reads a P6 picture with a maximum of 255; comments in the header are skipped.
 /// Errors: empty, and `error` tells why in words.

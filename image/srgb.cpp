@@ -2,6 +2,7 @@
 // to give the same bits whether the processor fuses multiply-add or not.
 #include "image/srgb.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,6 +41,17 @@ float srgb_encode(float linear) {
     return 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
+float srgb_slope(float linear) {
+    if (!(linear > 0.0031308f)) return 12.92f;
+    const float x = std::min(linear, 1.0f);
+    return 1.055f / 2.4f * std::pow(x, 1.0f / 2.4f) / x;
+}
+
+std::uint8_t linear_encode_8(float linear) {
+    if (!(linear > 0.0f)) return 0;
+    return static_cast<std::uint8_t>(std::min(linear, 1.0f) * 255.0f + 0.5f);
+}
+
 double srgb_decode(double encoded) {
     if (!(encoded > 0.0)) return 0.0;
     if (encoded >= 1.0) return 1.0;
@@ -56,7 +68,8 @@ float srgb_decode_8(std::uint8_t code) {
     return table[code];
 }
 
-void srgb_encode_row(std::span<const Color> pixels, std::span<std::uint8_t> bytes) {
+void encode_row(std::span<const Color> pixels, Gamma gamma, std::span<std::uint8_t> bytes) {
+    const auto encode = gamma == Gamma::srgb ? srgb_encode_8 : linear_encode_8;
     LRAY_ASSERT(bytes.size() == 3 * pixels.size());
     // Neighbours are often alike (background, flat painting): a run is encoded once.
     Color last{0.0f};
@@ -64,7 +77,7 @@ void srgb_encode_row(std::span<const Color> pixels, std::span<std::uint8_t> byte
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (pixels[i] != last) {
             last = pixels[i];
-            code = {srgb_encode_8(last.r), srgb_encode_8(last.g), srgb_encode_8(last.b)};
+            code = {encode(last.r), encode(last.g), encode(last.b)};
         }
         bytes[3 * i] = code[0];
         bytes[3 * i + 1] = code[1];

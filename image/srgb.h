@@ -5,11 +5,15 @@
 #include <span>
 
 #include "base/vec.h"
+#include "image/tone_map.h"
 
 namespace lray::image {
 
 /// Linear [0, 1] to encoded [0, 1]; clamps what is outside, NaN becomes 0.
 float srgb_encode(float linear);
+
+/// The derivative of srgb_encode() in [0, 1], clamped likewise.
+float srgb_slope(float linear);
 
 /// Encoded [0, 1] to linear [0, 1], in double precision and the same on every processor; clamps
 /// what is outside, NaN becomes 0.
@@ -18,14 +22,17 @@ double srgb_decode(double encoded);
 /// Encoded sRGB in 8 bits, rounded to nearest.
 std::uint8_t srgb_encode_8(float linear);
 
+/// A linear value in 8 bits as it is, rounded to nearest; clamps, NaN becomes 0.
+std::uint8_t linear_encode_8(float linear);
+
 /// The linear value that the 8-bit code stands for.
 float srgb_decode_8(std::uint8_t code);
 
 /// Encodes a row of pixels as bytes R G B R G B ...
 /// Shape: bytes.size() == 3 * pixels.size().
-void srgb_encode_row(std::span<const Color> pixels, std::span<std::uint8_t> bytes);
+void encode_row(std::span<const Color> pixels, Gamma gamma, std::span<std::uint8_t> bytes);
 
-/// Decodes bytes R G B R G B ... into linear pixels. Shape: as srgb_encode_row().
+/// Decodes bytes R G B R G B ... into linear pixels. Shape: as encode_row().
 void srgb_decode_row(std::span<const std::uint8_t> bytes, std::span<Color> pixels);
 
 }  // namespace lray::image

@@ -49,17 +49,17 @@ std::string_view extension(std::string_view path) {
     return name.substr(dot + 1);
 }
 
-bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
+bool write_image(OutputFile& out, const Image& image, Format format, Gamma gamma, Metadata metadata,
                  std::string& error, int jpeg_quality) {
     switch (format) {
         case Format::ppm:
-            if (write_ppm(out, image)) return true;
+            if (write_ppm(out, image, gamma)) return true;
             error = out.error();
             return false;
         case Format::png:
-            return write_png(out, image, metadata, error);
+            return write_png(out, image, gamma, metadata, error);
         case Format::jpg:
-            return write_jpeg(out, image, metadata, jpeg_quality, error);
+            return write_jpeg(out, image, gamma, metadata, jpeg_quality, error);
     }
     LRAY_ASSERT(false);
 }

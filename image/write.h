@@ -11,6 +11,7 @@
 
 #include "base/output_file.h"
 #include "image/image.h"
+#include "image/tone_map.h"
 
 namespace lray::image {
 
@@ -32,10 +33,10 @@ using Metadata = std::span<const std::pair<std::string, std::string>>;
 
 inline constexpr int kDefaultJpegQuality = 90;
 
-/// Writes the picture as 8-bit sRGB. The bytes depend on the arguments alone: no time, no version.
+/// Writes the picture in 8 bits. The bytes depend on the arguments alone: no time, no version.
 /// `jpeg_quality`, 1 to 100, is regarded by JPEG only.
 /// Errors: false, and `error` tells why in words.
-bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
+bool write_image(OutputFile& out, const Image& image, Format format, Gamma gamma, Metadata metadata,
                  std::string& error, int jpeg_quality = kDefaultJpegQuality);
 
 }  // namespace lray::image

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/assert.h"
+#include "base/portable_math.h"
 
 namespace lray::render {
 
@@ -33,7 +34,7 @@ double view_height(const scene::Camera& camera) {
         case scene::Projection::orthographic:
             return camera.height;
         case scene::Projection::panorama:
-            return std::numbers::pi;  // not looked at: a panorama has angles
+            return std::numbers::pi;  // of the sphere of radius 1, from below to above
     }
     LRAY_ASSERT(false);
 }
@@ -49,7 +50,28 @@ SineCosine sine_cosine(double angle) {
     return {2.0 * t / (1.0 + t * t), (1.0 - t * t) / (1.0 + t * t)};
 }
 
+double focus_distance(const scene::Camera& camera) {
+    if (camera.focus) return *camera.focus;
+    const DVec3 way = camera.look_at - camera.position;
+    const double largest = std::max({std::fabs(way.x), std::fabs(way.y), std::fabs(way.z)});
+    return largest * std::sqrt(dot(way / largest, way / largest));
+}
+
 }  // namespace
+
+DVec2 disk_point(DVec2 pair) {
+    const double a = 2.0 * pair.x - 1.0;
+    const double b = 2.0 * pair.y - 1.0;
+    if (a == 0.0 && b == 0.0) return {0.0, 0.0};
+    // In the quarter around +X or -X the radius is |a|, and the angle an eighth of a turn at most.
+    const bool is_across = std::fabs(a) > std::fabs(b);
+    const double radius = is_across ? a : b;
+    const double slope = is_across ? b / a : a / b;
+    const DVec2 point = unit_circle_point(std::fabs(slope) / 8.0);
+    const double far = radius * point.x;
+    const double aside = radius * (slope < 0.0 ? -point.y : point.y);
+    return is_across ? DVec2{far, aside} : DVec2{aside, far};
+}
 
 CameraFrame camera_frame(DVec3 position, DVec3 look_at, DVec3 up) {
     CameraFrame frame;
@@ -67,7 +89,21 @@ CameraRays::CameraRays(const scene::Camera& camera, scene::Resolution resolution
       position_(camera.position),
       center_pixel_(0.5 * resolution.width, 0.5 * resolution.height),
       pixel_size_(view_height(camera) / resolution.height),
+      lens_radius_(camera.projection == scene::Projection::panorama ? 0.0 : 0.5 * camera.aperture),
+      focus_(focus_distance(camera)),
       projection_(camera.projection) {}
+
+DVec3 CameraRays::offset(DVec2 position_pixel) const {
+    const double x = (position_pixel.x - center_pixel_.x) * pixel_size_;
+    const double y = (center_pixel_.y - position_pixel.y) * pixel_size_;  // rows go down
+    return x * frame_.right + y * frame_.up;
+}
+
+/// The direction from a point of the lens to where the way from its middle meets the plane of
+/// focus. Whichever is multiplied or divided by the distance shrinks: nothing overflows.
+DVec3 CameraRays::towards_focus(DVec3 way, DVec3 lens_point) const {
+    return focus_ >= 1.0 ? unit(way - lens_point / focus_) : unit(way * focus_ - lens_point);
+}
 
 DVec3 CameraRays::panorama_direction(DVec2 position_pixel) const {
     const double turn = position_pixel.x / (2.0 * center_pixel_.x) - 0.5;  // of a whole turn
@@ -80,17 +116,31 @@ DVec3 CameraRays::panorama_direction(DVec2 position_pixel) const {
                 pitch.sine * frame_.up);
 }
 
-Ray CameraRays::through(DVec2 position_pixel) const {
-    const double x = (position_pixel.x - center_pixel_.x) * pixel_size_;
-    const double y = (center_pixel_.y - position_pixel.y) * pixel_size_;  // rows go down
-    const DVec3 offset = x * frame_.right + y * frame_.up;
+Ray CameraRays::through(DVec2 position_pixel, DVec2 lens) const {
+    if (projection_ == scene::Projection::panorama) {
+        return {Vec3(position_), Vec3(panorama_direction(position_pixel))};
+    }
+    const bool is_perspective = projection_ == scene::Projection::perspective;
+    const DVec3 aside = offset(position_pixel);
+    const DVec3 origin = is_perspective ? position_ : position_ + aside;
+    const DVec3 way = is_perspective ? frame_.forward + aside : frame_.forward;
+    if (!has_lens()) return {Vec3(origin), Vec3(is_perspective ? unit(way) : way)};
+    const DVec2 point = lens_radius_ * disk_point(lens);
+    const DVec3 lens_point = point.x * frame_.right + point.y * frame_.up;
+    return {Vec3(origin + lens_point), Vec3(towards_focus(way, lens_point))};
+}
+
+PixelCone CameraRays::cone(DVec2 position_pixel) const {
     switch (projection_) {
-        case scene::Projection::perspective:
-            return {Vec3(position_), Vec3(unit(frame_.forward + offset))};
+        case scene::Projection::perspective: {
+            // A pixel lies in the plane at distance 1; the ray takes this much longer to get there.
+            const DVec3 way = frame_.forward + offset(position_pixel);
+            return {0.0, pixel_size_ / std::sqrt(dot(way, way))};
+        }
         case scene::Projection::orthographic:
-            return {Vec3(position_ + offset), Vec3(frame_.forward)};
+            return {pixel_size_, 0.0};
         case scene::Projection::panorama:
-            return {Vec3(position_), Vec3(panorama_direction(position_pixel))};
+            return {0.0, pixel_size_};
     }
     LRAY_ASSERT(false);
 }

@@ -29,7 +29,10 @@ class Film {
     static constexpr float kMaxValue = 65504.0f;          // the largest half-precision float
     static constexpr std::uint32_t kMaxSamples = 32'768;  // a pixel: kMaxValue each still fit
 
-    Film(std::uint32_t width, std::uint32_t height);
+    /// What is kept of the samples beside their sums: their squares tell how sure the mean is.
+    enum class Keeps : std::uint8_t { sums, squares };
+
+    Film(std::uint32_t width, std::uint32_t height, Keeps keeps = Keeps::sums);
 
     std::uint32_t width() const { return width_; }
     std::uint32_t height() const { return height_; }
@@ -41,12 +44,25 @@ class Film {
     /// Returns the mean of the samples of a pixel; black if it has none.
     Color resolve(std::uint32_t x, std::uint32_t y) const;
 
+    /// Returns the standard error of the mean of a pixel: sqrt(variance / n), the variance that of
+    /// its samples, estimated without bias. Made of exact integers: any order and any split of the
+    /// samples gives the same. Asserts that squares are kept and that there are two samples.
+    Color standard_error(std::uint32_t x, std::uint32_t y) const;
+
     const FilmCounts& counts() const { return counts_; }
 
  private:
     struct Pixel {
         std::int64_t sum[3] = {0, 0, 0};
         std::uint32_t sample_count = 0;
+    };
+
+    __extension__ using Wide = unsigned __int128;
+
+    /// Of each channel. A sample is below 2^48 in steps of 2^-32, its square below 2^96, and
+    /// kMaxSamples of them below 2^111.
+    struct Squares {
+        Wide sum[3] = {0, 0, 0};
     };
 
     const Pixel& pixel(std::uint32_t x, std::uint32_t y) const {
@@ -57,6 +73,7 @@ class Film {
     std::uint32_t width_ = 0;
     std::uint32_t height_ = 0;
     std::vector<Pixel> pixels_;
+    std::vector<Squares> squares_;  // empty if they are not kept
     FilmCounts counts_{};
 };
 

@@ -1,129 +1,146 @@
-// Tiles on threads, in blocks of pixels. Each block adds up its samples on a film of its own and
-// resolves it into the picture, so that memory beyond the picture does not grow with it.
+// Tiles on threads, in blocks of pixels. Without a limit of time each block is rendered to its end
+// on a film of its own, so that memory beyond the picture does not grow with it; with one, all
+// blocks are kept and go on together, pass by pass.
 #include "render/render.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "base/assert.h"
+#include "render/block.h"
+#include "render/progress_meter.h"
 #include "render/sample_tracer.h"
+#include "render/squares.h"
 #include "render/threads.h"
 
 namespace lray::render {
 
 namespace {
 
-constexpr std::uint32_t kTileSize = 16;  // what a thread takes at a time
-constexpr std::uint32_t kBlockSize = 8;  // whose rays are traced together, sample by sample
-constexpr std::chrono::milliseconds kProgressPeriod{100};
-
-/// A grid of squares over an area, those at its right and lower edge cut off.
-struct Squares {
-    PixelRect area{};
-    std::uint32_t size = 1;
-
-    std::uint64_t count() const {
-        return std::uint64_t{along(area.width())} * along(area.height());
-    }
-
-    PixelRect at(std::uint64_t index) const {
-        const std::uint32_t columns = along(area.width());
-        const std::uint32_t x = static_cast<std::uint32_t>(index % columns) * size;
-        const std::uint32_t y = static_cast<std::uint32_t>(index / columns) * size;
-        return {area.x0 + x, area.y0 + y, area.x0 + std::min(x + size, area.width()),
-                area.y0 + std::min(y + size, area.height())};
-    }
-
- private:
-    std::uint32_t along(std::uint32_t pixel_count) const {
-        return pixel_count / size + (pixel_count % size != 0 ? 1 : 0);
-    }
-};
-
-/// Counts samples that are done and reports them now and then.
-class ProgressMeter {
- public:
-    ProgressMeter(std::uint64_t total_samples, const ProgressFunction& on_progress)
-        : total_(total_samples), on_progress_(on_progress) {}
-
-    void add(std::uint64_t sample_count) {
-        const std::uint64_t done = done_ += sample_count;
-        if (!on_progress_) return;
-        // Whoever finds another thread reporting goes on: nobody waits.
-        const std::unique_lock lock(mutex_, std::try_to_lock);
-        if (!lock.owns_lock()) return;
-        const auto now = std::chrono::steady_clock::now();
-        if (now < next_report_) return;
-        next_report_ = now + kProgressPeriod;
-        on_progress_({std::max(done, done_.load()), total_});
-    }
-
-    bool is_complete() const { return done_ == total_; }
-
- private:
-    std::uint64_t total_ = 0;
-    const ProgressFunction& on_progress_;
-    std::atomic<std::uint64_t> done_{0};
-    std::mutex mutex_;
-    std::chrono::steady_clock::time_point next_report_{};
-};
-
-/// What samples cost, and which were not added as they came.
-struct Tally {
-    RayCounts rays{};
-    FilmCounts samples{};
-
-    Tally& operator+=(const Tally& other) {
-        rays += other.rays;
-        samples += other.samples;
-        return *this;
-    }
-};
+constexpr std::uint32_t kTileSize = 16;         // what a thread takes at a time
+constexpr std::uint32_t kBlockSize = 8;         // whose rays are traced together
+constexpr std::uint32_t kSamplesPerReport = 4;  // of a block, between two looks at progress
+constexpr double kPassSeconds = 0.05;           // what a pass takes if it holds several samples
 
 /// What the tiles share. Each writes its own pixels of the picture.
 struct Job {
-    SampleTracer tracer;
+    BlockSettings settings;
     PixelRect area{};
-    SampleRange samples{};
-    const std::atomic<bool>& cancel;
     ProgressMeter progress;
     RenderResult result{};
-    Tally tally{};
-    std::mutex tally_mutex{};
+    std::mutex result_mutex{};
 };
 
-Tally render_block(Job& job, const PixelRect& block) {
-    Film film(block.width(), block.height());
-    Tally tally;
-    for (std::uint32_t sample = job.samples.begin; sample != job.samples.end; ++sample) {
-        const std::uint32_t done =
-            job.tracer.add_sample(block, sample, film, tally.rays, job.cancel);
-        if (done == 0) break;
-        job.progress.add(done);
+void take_work(Job& job, const BlockWork& work) {
+    const std::lock_guard lock(job.result_mutex);
+    job.result.primary += work.rays.primary;
+    job.result.light += work.rays.light;
+    job.result.sample_count += work.samples;
+    job.result.converged_pixels += work.converged_pixels;
+    if (work.is_cancelled) job.result.is_complete = false;
+}
+
+/// Renders a block up to a sample.
+BlockWork advance(Job& job, Block& block, SampleRange samples) {
+    BlockWork work;
+    std::uint32_t next = samples.begin;
+    while (next < samples.end && !block.is_finished() && !work.is_cancelled) {
+        next += std::min(kSamplesPerReport, samples.end - next);
+        const BlockWork more = block.advance(next, job.settings);
+        job.progress.add(more.samples, more.finished_pixels);
+        work += more;
     }
-    for (std::uint32_t y = 0; y < block.height(); ++y) {
-        for (std::uint32_t x = 0; x < block.width(); ++x) {
-            job.result.image.at(block.x0 - job.area.x0 + x, block.y0 - job.area.y0 + y) =
-                film.resolve(x, y);
-        }
-    }
-    tally.samples = film.counts();
-    return tally;
+    return work;
+}
+
+void finish_block(Job& job, const Block& block, FilmCounts& counts) {
+    block.resolve(job.area, job.result.image);
+    counts += block.counts();
 }
 
 void render_tile(Job& job, const PixelRect& tile) {
-    const Squares blocks{tile, kBlockSize};
-    Tally tally;
-    for (std::uint64_t block = 0; block != blocks.count(); ++block) {
-        tally += render_block(job, blocks.at(block));
+    const Squares parts{tile, kBlockSize};
+    BlockWork work;
+    FilmCounts counts;
+    for (std::uint64_t part = 0; part != parts.count(); ++part) {
+        Block block(parts.at(part), job.settings);
+        work += advance(job, block, job.settings.samples);
+        finish_block(job, block, counts);
     }
-    const std::lock_guard lock(job.tally_mutex);
-    job.tally += tally;
+    take_work(job, work);
+    const std::lock_guard lock(job.result_mutex);
+    job.result.samples += counts;
+}
+
+template <class Work>
+void for_each_tile(std::uint64_t tile_count, const Work& work) {
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint64_t>(0, tile_count),
+        [&](const tbb::blocked_range<std::uint64_t>& range) {
+            for (std::uint64_t tile = range.begin(); tile != range.end(); ++tile) work(tile);
+        },
+        tbb::simple_partitioner());
+}
+
+void render_tiles(Job& job) {
+    const Squares tiles{job.area, kTileSize};
+    for_each_tile(tiles.count(), [&](std::uint64_t tile) { render_tile(job, tiles.at(tile)); });
+}
+
+using Tile = std::vector<Block>;
+
+std::vector<Tile> make_tiles(const Job& job) {
+    const Squares areas{job.area, kTileSize};
+    std::vector<Tile> tiles(areas.count());
+    for (std::uint64_t i = 0; i != areas.count(); ++i) {
+        const Squares parts{areas.at(i), kBlockSize};
+        for (std::uint64_t part = 0; part != parts.count(); ++part) {
+            tiles[i].emplace_back(parts.at(part), job.settings);
+        }
+    }
+    return tiles;
+}
+
+bool is_finished(const std::vector<Tile>& tiles) {
+    return std::all_of(tiles.begin(), tiles.end(), [](const Tile& tile) {
+        return std::all_of(tile.begin(), tile.end(),
+                           [](const Block& block) { return block.is_finished(); });
+    });
+}
+
+/// How many samples the next pass gives each pixel: one, or more where that is quick, but not
+/// beyond the time.
+std::uint32_t pass_size(double seconds_per_sample, double seconds_left) {
+    const double size = std::min(kPassSeconds, seconds_left) / seconds_per_sample;
+    return static_cast<std::uint32_t>(std::clamp(size, 1.0, double{Film::kMaxSamples}));
+}
+
+void render_passes(Job& job, double seconds) {
+    std::vector<Tile> tiles = make_tiles(job);
+    const SampleRange samples = job.settings.samples;
+    SampleRange pass{samples.begin, samples.begin + 1};
+    for (;;) {
+        const double begin = job.progress.seconds();
+        for_each_tile(tiles.size(), [&](std::uint64_t i) {
+            BlockWork work;
+            for (Block& block : tiles[i]) work += advance(job, block, pass);
+            take_work(job, work);
+        });
+        const double now = job.progress.seconds();
+        const bool is_over = now >= seconds || pass.end == samples.end || is_finished(tiles);
+        if (is_over || !job.result.is_complete) break;
+        const double per_sample = std::max((now - begin) / pass.count(), 1e-9);
+        const std::uint32_t size = pass_size(per_sample, seconds - now);
+        pass = {pass.end, pass.end + std::min(size, samples.end - pass.end)};
+    }
+    for (const Tile& tile : tiles) {
+        for (const Block& block : tile) finish_block(job, block, job.result.samples);
+    }
 }
 
 }  // namespace
@@ -136,29 +153,23 @@ RenderResult render(const scene::World& world, const bvh::Accel& accel, const sc
     LRAY_ASSERT(area.x0 < area.x1 && area.x1 <= width && area.y0 < area.y1 && area.y1 <= height);
     const SampleRange samples = options.samples;
     LRAY_ASSERT(samples.begin < samples.end && samples.count() <= Film::kMaxSamples);
-    Job job{.tracer = SampleTracer(world, accel, camera, options),
+    const SampleTracer tracer(world, accel, camera, options);
+    const RenderProgress total{.total_samples = area.pixel_count() * samples.count(),
+                               .total_pixels = area.pixel_count(),
+                               .limits = options.limits};
+    Job job{.settings = {tracer, samples, options.limits.noise, image::Display(options.display),
+                         cancel},
             .area = area,
-            .samples = samples,
-            .cancel = cancel,
-            .progress = ProgressMeter(area.pixel_count() * samples.count(), on_progress)};
+            .progress = ProgressMeter(total, on_progress)};
     job.result.image = image::Image(area.width(), area.height());
     job.result.thread_count = thread_count_of(options.thread_count);
-
-    const Squares tiles{area, kTileSize};
     with_threads(options.thread_count, [&] {
-        tbb::parallel_for(
-            tbb::blocked_range<std::uint64_t>(0, tiles.count()),
-            [&](const tbb::blocked_range<std::uint64_t>& range) {
-                for (std::uint64_t tile = range.begin(); tile != range.end(); ++tile) {
-                    render_tile(job, tiles.at(tile));
-                }
-            },
-            tbb::simple_partitioner());
+        if (options.limits.seconds) {
+            render_passes(job, *options.limits.seconds);
+        } else {
+            render_tiles(job);
+        }
     });
-    job.result.primary = job.tally.rays.primary;
-    job.result.light = job.tally.rays.light;
-    job.result.samples = job.tally.samples;
-    job.result.is_complete = job.progress.is_complete();
     return std::move(job.result);
 }
 

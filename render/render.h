@@ -17,15 +17,21 @@ namespace lray::render {
 
 struct RenderProgress {
     std::uint64_t done_samples = 0;
-    std::uint64_t total_samples = 0;  // of all pixels together
+    std::uint64_t total_samples = 0;  // of all pixels together; with limits, at most
+    std::uint64_t finished_pixels = 0;
+    std::uint64_t total_pixels = 0;
+    double seconds = 0.0;   // of rendering
+    SampleLimits limits{};  // of the render
 };
 
 struct RenderResult {
-    image::Image image{};        // of the crop's size
+    image::Image image{};        // the light, before its display; of the crop's size
     bvh::TraceCounts primary{};  // of the rays from the camera
     shade::LightCounts light{};  // of those that full shading sent after them
     FilmCounts samples{};
-    std::uint32_t thread_count = 1;  // that were used
+    std::uint64_t sample_count = 0;      // of all pixels together
+    std::uint64_t converged_pixels = 0;  // that ended by their noise, before they had all samples
+    std::uint32_t thread_count = 1;      // that were used
     /// False if cancelled: pixels not reached are black, others the mean of the samples they have.
     bool is_complete = true;
 };
@@ -33,7 +39,8 @@ struct RenderResult {
 using ProgressFunction = std::function<void(const RenderProgress&)>;
 
 /// Renders one view: each pixel is the mean of its samples. The picture does not depend on the
-/// number of threads; a crop is the same pixels of the whole.
+/// number of threads; a crop is the same pixels of the whole. With a limit of time that holds for
+/// as many passes as there was time for: all pixels that still get samples have the same number.
 /// `on_progress` (may be empty) is called from render threads, one at a time, at most some ten
 /// times a second. `cancel` is looked at between batches of rays.
 RenderResult render(const scene::World& world, const bvh::Accel& accel, const scene::Camera& camera,

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/assert.h"
-#include "render/pixel_sample.h"
+#include "render/decisions.h"
 #include "shade/depth.h"
 #include "shade/transport/boundary.h"
 
@@ -18,13 +18,15 @@ static_assert(kMaxBatchSize <= shade::kMaxWaveSize);
 
 }  // namespace
 
-/// Rays that are traced together. Each may meet anything: no interval is ever changed.
+/// Rays that are traced together, the place on the film and the random numbers of each. Each may
+/// meet anything: no interval is ever changed.
 struct SampleTracer::Batch {
+    std::array<FilmPlace, kMaxBatchSize> places;
+    std::array<PixelSample, kMaxBatchSize> samples;
     std::array<Ray, kMaxBatchSize> rays;
     std::array<Interval, kMaxBatchSize> intervals;
     std::array<bvh::Hit, kMaxBatchSize> hits;
     std::array<bvh::TraceCounts, kMaxBatchSize> counts;  // of each ray, where its cost is shown
-    std::array<PixelSample, kMaxBatchSize> samples;
     std::array<shade::RayCone, kMaxBatchSize> cones;
     std::array<Color, kMaxBatchSize> colors;
 };
@@ -83,31 +85,56 @@ bool SampleTracer::shade(Batch& batch, std::size_t size, shade::LightCounts& cou
                                std::span(batch.colors).first(size), counts, cancel);
 }
 
-std::uint32_t SampleTracer::add_sample(const PixelRect& part, std::uint32_t sample, Film& film,
-                                       RayCounts& counts,
-                                       const std::atomic<bool>& cancel) const {
+PixelSample SampleTracer::pixel_sample(std::uint32_t x, std::uint32_t y,
+                                       std::uint32_t index) const {
+    return PixelSample::of(options_.sampler, options_.seed, x, y, index);
+}
+
+/// Without random positions all is in the middle, the ray on the lens too.
+Ray SampleTracer::camera_ray(std::uint32_t x, std::uint32_t y, const PixelSample& sample) const {
+    const DVec2 corner{x, y};
+    if (options_.position == PixelPosition::center) return rays_.through(corner + DVec2{0.5});
+    const DVec2 position = corner + sample.pair(kPositionDecision);
+    if (!rays_.has_lens()) return rays_.through(position);
+    return rays_.through(position, sample.pair(kLensDecision));
+}
+
+shade::RayCone SampleTracer::pixel_cone(std::uint32_t x, std::uint32_t y) const {
+    const PixelCone cone = rays_.cone(DVec2{x, y} + DVec2{0.5});
+    return {static_cast<float>(cone.width_at_origin), static_cast<float>(cone.spread)};
+}
+
+std::uint64_t SampleTracer::add_samples(const PixelRect& part, std::span<const FilmPlace> places,
+                                        SampleRange samples, Film& film, RayCounts& counts,
+                                        const std::atomic<bool>& cancel) const {
     LRAY_DCHECK(film.width() == part.width() && film.height() == part.height());
-    const auto pixel_count = static_cast<std::uint32_t>(part.pixel_count());
+    const std::uint64_t total = std::uint64_t{places.size()} * samples.count();
     const bool is_cost_shown = options_.shading.shader == shade::Shader::cost;
     Batch batch;
-    std::uint32_t done = 0;
-    while (done < pixel_count && !cancel.load(std::memory_order_relaxed)) {
-        const std::uint32_t size = std::min(options_.batch_size, pixel_count - done);
+    std::size_t at = 0;
+    std::uint32_t index = samples.begin;
+    std::uint64_t done = 0;
+    while (done < total && !cancel.load(std::memory_order_relaxed)) {
+        const auto size =
+            static_cast<std::uint32_t>(std::min<std::uint64_t>(options_.batch_size, total - done));
         for (std::uint32_t i = 0; i < size; ++i) {
-            const std::uint32_t x = part.x0 + (done + i) % part.width();
-            const std::uint32_t y = part.y0 + (done + i) / part.width();
-            batch.samples[i] =
-                PixelSample::of(options_.sampler, options_.seed, x, y, sample);
-            batch.cones[i] = {};
-            batch.rays[i] =
-                rays_.through(sample_position(options_.position, options_.seed, x, y, sample));
+            batch.places[i] = places[at];
+            const std::uint32_t x = part.x0 + places[at].x;
+            const std::uint32_t y = part.y0 + places[at].y;
+            batch.samples[i] = pixel_sample(x, y, index);
+            batch.rays[i] = camera_ray(x, y, batch.samples[i]);
+            batch.cones[i] = pixel_cone(x, y);
+            if (++at == places.size()) {
+                at = 0;
+                ++index;
+            }
         }
         const bvh::TraceCounts cost = trace(accel_, batch, size, is_cost_shown, cancel);
         counts.primary += cost;
         if (cost.is_ended) break;
         if (!shade(batch, size, counts.light, cancel)) break;
         for (std::uint32_t i = 0; i < size; ++i) {
-            film.add((done + i) % part.width(), (done + i) / part.width(), batch.colors[i]);
+            film.add(batch.places[i].x, batch.places[i].y, batch.colors[i]);
         }
         done += size;
     }

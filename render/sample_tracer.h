@@ -3,11 +3,15 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 
+#include "base/ray.h"
+#include "base/sampler.h"
 #include "bvh/accel.h"
 #include "render/camera_rays.h"
 #include "render/film.h"
 #include "render/options.h"
+#include "render/ray_counts.h"
 #include "scene/camera.h"
 #include "scene/world.h"
 #include "shade/shader.h"
@@ -15,16 +19,10 @@
 
 namespace lray::render {
 
-/// What the rays of samples cost.
-struct RayCounts {
-    bvh::TraceCounts primary{};  // from the camera
-    shade::LightCounts light{};  // of full shading
-
-    RayCounts& operator+=(const RayCounts& other) {
-        primary += other.primary;
-        light += other.light;
-        return *this;
-    }
+/// A pixel of a film.
+struct FilmPlace {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
 };
 
 /// What all samples of a view have in common. Const calls are thread-safe. The world and the
@@ -34,11 +32,12 @@ class SampleTracer {
     SampleTracer(const scene::World& world, const bvh::Accel& accel, const scene::Camera& camera,
                  const RenderOptions& options);
 
-    /// Adds one sample of each pixel of a part of the full picture to a film of its size, row by
-    /// row, and their cost to `counts`. Returns how many it added: fewer than all once `cancel` is
-    /// set.
-    std::uint32_t add_sample(const PixelRect& part, std::uint32_t sample, Film& film,
-                             RayCounts& counts, const std::atomic<bool>& cancel) const;
+    /// Adds samples of some pixels of a part of the full picture to a film of its size, one of each
+    /// pixel after the other, and their cost to `counts`. Returns how many it added: fewer than all
+    /// once `cancel` is set. Shape: `places` lie on the film, in any order.
+    std::uint64_t add_samples(const PixelRect& part, std::span<const FilmPlace> places,
+                              SampleRange samples, Film& film, RayCounts& counts,
+                              const std::atomic<bool>& cancel) const;
 
  private:
     struct Batch;
@@ -46,6 +45,9 @@ class SampleTracer {
     /// Works out the colours of a batch; false once `cancel` is set.
     bool shade(Batch& batch, std::size_t size, shade::LightCounts& counts,
                const std::atomic<bool>& cancel) const;
+    PixelSample pixel_sample(std::uint32_t x, std::uint32_t y, std::uint32_t index) const;
+    Ray camera_ray(std::uint32_t x, std::uint32_t y, const PixelSample& sample) const;
+    shade::RayCone pixel_cone(std::uint32_t x, std::uint32_t y) const;
 
     const bvh::Accel& accel_;
     CameraRays rays_;

@@ -9,6 +9,7 @@
 #include "base/sampler.h"
 #include "base/source.h"
 #include "base/vec.h"
+#include "image/tone_map.h"
 
 namespace lray::scene {
 
@@ -40,9 +41,9 @@ struct Camera {
     Span span{};
 };
 
-enum class ToneMap : std::uint8_t { none, reinhard, aces };
-enum class Gamma : std::uint8_t { srgb, linear };
 enum class Integrator : std::uint8_t { whitted, path };
+using image::Gamma;
+using image::ToneMap;
 using lray::SamplerKind;
 
 struct RenderSettings {

@@ -167,7 +167,7 @@ inline constexpr std::array<PropertySchema, 11> kCamera = {{
 inline constexpr std::array<PropertySchema, 12> kRender = {{
     {"resolution", resolution, "[800, 600]", "width and height in pixels", {1.0, 1048576.0}, {800, 600}},
     {"samples", integer, "1", "rays per pixel", {1.0, 32768.0}, {1}},
-    {"max_depth", integer, "8", "reflections and refractions one after the other", {0.0, 1000.0}, {8}},
+    {"max_depth", integer, "8", "reflections and refractions one after the other", {0.0, 256.0}, {8}},
     {"background", color, "#000000", "the colour where nothing is hit", kNotNegative},
     {"ambient", color, "0", "light from everywhere, times `ambient` of the material", kNotNegative},
     {"exposure", number, "0", "in stops: 1 makes the picture twice as bright", {-64.0, 64.0}},

@@ -3,6 +3,7 @@
 
 #include "bvh/hit.h"
 #include "bvh/surface.h"
+#include "bvh/surface_detail.h"
 #include "shade/material_point.h"
 #include "shade/transport/lit_world.h"
 #include "shade/transport/transport_ray.h"

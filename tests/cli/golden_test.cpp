@@ -120,7 +120,8 @@ void write_png(const fs::path& path, const image::Image& image) {
     std::string error;
     auto file = OutputFile::open(path.string(), error);
     ASSERT_TRUE(file) << error;
-    ASSERT_TRUE(image::write_image(*file, image, image::Format::png, {}, error)) << error;
+    ASSERT_TRUE(image::write_image(*file, image, image::Format::png, image::Gamma::srgb, {}, error))
+        << error;
     ASSERT_TRUE(file->commit());
 }
 

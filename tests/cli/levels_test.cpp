@@ -44,7 +44,8 @@ class Levels : public LrayTest {
 
 TEST_F(Levels, LevelTwoSmoothsEdges) {
     directory_.write("scene.lrs", kScene);
-    const auto result = run({"-n", "2", "-ps", "16", "-i", "scene.lrs", "-o", "image.ppm"});
+    const auto result =
+        run({"-n", "2", "-ps", "16", "--shading", "flat", "-i", "scene.lrs", "-o", "image.ppm"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, "");

@@ -82,7 +82,8 @@ TEST(Options, EveryValueReachesItsPlace) {
                                     "high",     "--shading",
                                     "normals",  "--samples",
                                     "2:9",      "--seed",
-                                    "123",      "--stats",
+                                    "123",      "--sampler",
+                                    "random",   "--stats",
                                     "--quiet",  "--color",
                                     "never",    "--max-errors",
                                     "0",        "--format",
@@ -109,6 +110,7 @@ TEST(Options, EveryValueReachesItsPlace) {
     EXPECT_EQ(options.shader, shade::Shader::normals);
     EXPECT_EQ(options.sample_range, (render::SampleRange{2, 9}));
     EXPECT_EQ(options.seed, 123u);
+    EXPECT_EQ(options.sampler, SamplerKind::random);
     EXPECT_EQ(options.stats, StatsFormat::text);
     EXPECT_TRUE(options.quiet);
     EXPECT_EQ(options.color, ColorMode::never);
@@ -272,7 +274,7 @@ TEST(Options, WrongValuesSayWhatIsTaken) {
     EXPECT_EQ(failed({"--quality", "best"}).message,
               "`--quality` takes low, medium or high, not `best`");
     EXPECT_EQ(failed({"--shading", "phong"}).message,
-              "`--shading` takes flat, normals, depth or cost, not `phong`");
+              "`--shading` takes full, flat, normals, uv, depth or cost, not `phong`");
     EXPECT_EQ(failed({"--stats=3"}).message, "`--stats` takes nothing or json, not `3`");
     EXPECT_EQ(failed({"--seed", "-3"}).message, "`--seed` takes a whole number from 0, not `-3`");
     EXPECT_EQ(failed({"--seed", "18446744073709551616"}).message,
@@ -310,11 +312,6 @@ TEST(Options, WhatThisVersionLacksIsSaidWithWhatItHas) {
     EXPECT_EQ(
         failed({"-n", "3", "a.lrs", "-o", "a.ppm"}).message,
         "`-n` 3 is not available in this version; `-n 1` and `-n 2` are, which write a picture");
-    for (const char* shading : {"full", "uv"}) {
-        EXPECT_EQ(failed({"a.lrs", "-o", "a.ppm", "--shading", shading}).message,
-                  std::string("`--shading` ") + shading +
-                      " is not available in this version; flat, normals, depth and cost are");
-    }
     const Failure window = failed({"rooms/hall.lrs"});
     EXPECT_NE(window.message.find("not available in this version"), std::string::npos);
     EXPECT_EQ(window.help, "lray -i rooms/hall.lrs -o hall.ppm");
@@ -338,7 +335,9 @@ TEST(Options, ALevelIsASetOfDefaults) {
     const Options none_given = parsed({"a.lrs", "-o", "a.ppm"});
     EXPECT_EQ(none_given.accel, bvh::AccelKind::boxes);
     EXPECT_EQ(none_given.position, render::PixelPosition::random);
-    EXPECT_EQ(none_given.shader, shade::Shader::flat);
+    EXPECT_FALSE(none_given.shader) << "the scene decides";
+    EXPECT_FALSE(second.shader);
+    EXPECT_EQ(first.shader, shade::Shader::flat);
 }
 
 TEST(Options, WhatIsGivenByHandOverridesTheLevel) {
@@ -349,6 +348,9 @@ TEST(Options, WhatIsGivenByHandOverridesTheLevel) {
     EXPECT_EQ(parsed({"--accel", "none", "a.lrs", "-o", "a.ppm"}).accel, bvh::AccelKind::none);
     EXPECT_EQ(parsed({"-n", "1", "a.lrs", "-o", "a.ppm", "--shading", "cost"}).shader,
               shade::Shader::cost);
+    EXPECT_EQ(parsed({"-n", "1", "a.lrs", "-o", "a.ppm", "--shading", "full"}).shader,
+              shade::Shader::full);
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm", "--shading", "uv"}).shader, shade::Shader::uv);
 }
 
 TEST(Options, WordsThatAreMisspeltOrShortenedAreSuggested) {
@@ -359,9 +361,48 @@ TEST(Options, WordsThatAreMisspeltOrShortenedAreSuggested) {
     EXPECT_EQ(failed({"--quality", "hihg"}).message,
               "`--quality` takes low, medium or high, not `hihg`; did you mean `high`?");
     EXPECT_EQ(failed({"--shading", "normal"}).message,
-              "`--shading` takes flat, normals, depth or cost, not `normal`; did you mean "
-              "`normals`?");
+              "`--shading` takes full, flat, normals, uv, depth or cost, not `normal`; did you "
+              "mean `normals`?");
     EXPECT_EQ(failed({"--accel", ""}).message, "`--accel` takes none, spheres or boxes, not ``");
+}
+
+TEST(Options, DurationsHaveUnits) {
+    const auto seconds = [](const char* text) {
+        return parsed({"a.lrs", "-o", "a.ppm", "--time", text}).sample_limits.seconds.value_or(-1);
+    };
+    EXPECT_EQ(seconds("30s"), 30.0);
+    EXPECT_EQ(seconds("500ms"), 0.5);
+    EXPECT_EQ(seconds("1.5m"), 90.0);
+    EXPECT_EQ(seconds("2h"), 7200.0);
+    EXPECT_EQ(failed({"a.lrs", "-o", "a.ppm", "--time", "30"}).message,
+              "`--time` takes a duration like `500ms`, `30s`, `5m` or `2h`, not `30`; `30s`?");
+    for (const char* wrong : {"", "s", "0s", "-1s", "1e3s", "1 s", "1d", "1.2.3s", "nan", "infs"}) {
+        EXPECT_EQ(
+            failed({"a.lrs", "-o", "a.ppm", "--time", wrong}).message,
+            std::string("`--time` takes a duration like `500ms`, `30s`, `5m` or `2h`, not `") +
+                wrong + "`");
+    }
+}
+
+TEST(Options, NoiseIsAShareOfWhite) {
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm", "--noise", "0.01"}).sample_limits.noise, 0.01);
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm", "--noise", "1"}).sample_limits.noise, 1.0);
+    for (const char* wrong : {"", "0", "-0.1", "1.01", "nan", "inf", "1%", "5e-400"}) {
+        EXPECT_EQ(failed({"a.lrs", "-o", "a.ppm", "--noise", wrong}).message,
+                  std::string("`--noise` takes a share of white above 0, like `0.01`, up to 1, not "
+                              "`") +
+                      wrong + "`");
+    }
+}
+
+TEST(Options, APartOfTheSamplesIsRenderedWhole) {
+    const Failure time =
+        failed({"a.lrs", "-o", "a.ppm", "--samples", "0:16", "--time", "1s", "--noise", "0.1"});
+    EXPECT_EQ(time.message, "`--samples 0:16` and `--time` do not go together");
+    EXPECT_EQ(time.help,
+              "a part of the samples is always rendered whole; leave one of the two out");
+    EXPECT_EQ(failed({"a.lrs", "-o", "a.ppm", "--samples", "0:16", "--noise", "0.1"}).message,
+              "`--samples 0:16` and `--noise` do not go together");
 }
 
 TEST(Options, StatsMayNameAForm) {
@@ -425,6 +466,12 @@ TEST(Options, SamplesAtLevelOneWarn) {
     EXPECT_TRUE(others.warnings[1].starts_with("`--seed 3` is ignored: level 1"));
     EXPECT_TRUE(parsed({"-n", "2", "--samples", "0:4", "--seed", "3", "a.lrs", "-o", "a.ppm"})
                     .warnings.empty());
+    const Options limits = parsed({"-n", "1", "--time", "5s", "--noise", "0.1", "--sampler",
+                                   "random", "a.lrs", "-o", "a.ppm"});
+    ASSERT_EQ(limits.warnings.size(), 3u);
+    EXPECT_TRUE(limits.warnings[0].starts_with("`--sampler` is ignored: level 1"));
+    EXPECT_TRUE(limits.warnings[1].starts_with("`--time` is ignored: level 1"));
+    EXPECT_TRUE(limits.warnings[2].starts_with("`--noise` is ignored: level 1"));
 }
 
 TEST(Options, QualityOfWhatIsNoBoxesWarns) {

@@ -86,5 +86,38 @@ TEST(FormatDuration, SecondsMinutesHours) {
     EXPECT_EQ(format_duration(-1.0), "0:00");
 }
 
+TEST(Progress, ALimitOfTimeTellsTheTimeAndTheSamples) {
+    Progress progress(ProgressStyle::lines);
+    const render::RenderProgress done{.done_samples = 4000,
+                                      .total_samples = 32'768'000,
+                                      .total_pixels = 1000,
+                                      .seconds = 5.0,
+                                      .limits = {.seconds = 20.0}};
+    EXPECT_EQ(progress.update(done, 5.0), "25 %, 0:15 left, 4.0 samples a pixel\n");
+}
+
+TEST(Progress, AllSamplesMayComeBeforeTheTime) {
+    Progress progress(ProgressStyle::lines);
+    const render::RenderProgress done{.done_samples = 5000,
+                                      .total_samples = 10'000,
+                                      .total_pixels = 1000,
+                                      .seconds = 5.0,
+                                      .limits = {.seconds = 3600.0}};
+    EXPECT_EQ(progress.update(done, 5.0), "50 %, 0:05 left, 5.0 samples a pixel\n");
+}
+
+TEST(Progress, ALimitOfNoiseTellsThePixelsThatAreDone) {
+    Progress progress(ProgressStyle::bar);
+    const render::RenderProgress done{.done_samples = 64'000,
+                                      .total_samples = 32'768'000,
+                                      .finished_pixels = 500,
+                                      .total_pixels = 1000,
+                                      .seconds = 4.0,
+                                      .limits = {.noise = 0.01}};
+    EXPECT_EQ(progress.update(done, 4.0),
+              "\r\x1b[K[####################....................]  50 %  0:04 left, 64.0 samples a "
+              "pixel, 50 % of the pixels done");
+}
+
 }  // namespace
 }  // namespace lray::cli

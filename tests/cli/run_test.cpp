@@ -157,5 +157,26 @@ TEST_F(FormatStats, MachinesGetOneLineOfJson) {
     EXPECT_GT(json["peak_bytes"].number, 0.0);
 }
 
+TEST_F(FormatStats, WithLimitsTellsTheSamplesInAllAndTheirMean) {
+    view_.render_options.resolution = {4, 3};
+    view_.render_options.samples = {0, 32'768};
+    view_.render_options.limits.seconds = 30.0;
+    result_.sample_count = 450;
+    EXPECT_NE(format_stats(report()).find(
+                  "picture      4 x 3 pixels, 450 samples, 37.5 each on average\n"),
+              std::string::npos)
+        << format_stats(report());
+    view_.render_options.limits.noise = 0.01;
+    result_.converged_pixels = 9;
+    EXPECT_NE(format_stats(report()).find(
+                  "37.5 each on average; 75.0 % of the pixels are as quiet as asked for\n"),
+              std::string::npos)
+        << format_stats(report());
+    const test::Json json = test::read_json(format_stats_json(report()));
+    EXPECT_EQ(json["picture"]["samples_taken"].number, 450.0);
+    EXPECT_EQ(json["picture"]["samples_per_pixel"].number, 37.5);
+    EXPECT_EQ(json["picture"]["converged_pixels"].number, 9.0);
+}
+
 }  // namespace
 }  // namespace lray::cli

@@ -174,5 +174,98 @@ TEST(ChooseView, PixelLimitHoldsForWhatIsWritten) {
     EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 10'000u);
 }
 
+TEST(ChooseView, WithLimitsTheCapIsTheMaximumUnlessGiven) {
+    using Range = render::SampleRange;
+    Options options;
+    options.sample_limits.seconds = 2.0;
+    const View view = chosen(scene_with_cameras(), options);
+    EXPECT_EQ(view.render_options.samples, (Range{0, 32'768}));
+    EXPECT_EQ(view.render_options.limits.seconds, 2.0);
+    EXPECT_EQ(view.ray_count(), 120'000u) << "one pass is sure";
+    options.samples = 16;
+    options.sample_limits.noise = 0.5;
+    EXPECT_EQ(chosen(scene_with_cameras(), options).render_options.samples, (Range{0, 16}));
+    EXPECT_EQ(chosen(scene_with_cameras(), options).render_options.limits.noise, 0.5);
+    options.position = render::PixelPosition::center;
+    const View center = chosen(scene_with_cameras(), options);
+    EXPECT_EQ(center.render_options.samples, (Range{0, 1})) << "level 1";
+    EXPECT_FALSE(center.render_options.limits.is_any());
+}
+
+TEST(ChooseView, SamplerOfTheCommandLineThenTheRenderBlock) {
+    scene::Scene scene = scene_with_cameras();
+    EXPECT_EQ(chosen(scene, {}).render_options.sampler, SamplerKind::sobol);
+    scene.render.sampler = SamplerKind::random;
+    EXPECT_EQ(chosen(scene, {}).render_options.sampler, SamplerKind::random);
+    Options options;
+    options.sampler = SamplerKind::sobol;
+    EXPECT_EQ(chosen(scene, options).render_options.sampler, SamplerKind::sobol);
+}
+
+TEST(ChooseView, LightOfTheRenderBlockReachesTheShading) {
+    scene::Scene scene = scene_with_cameras();
+    scene.render.integrator = scene::Integrator::path;
+    scene.render.ambient = kBlue;
+    scene.render.max_depth = 17;
+    scene.render.transparent_shadows = true;
+    const shade::Settings shading = chosen(scene, {}).render_options.shading;
+    EXPECT_EQ(shading.integrator, scene::Integrator::path);
+    EXPECT_EQ(shading.ambient, kBlue);
+    EXPECT_EQ(shading.max_depth, 17u);
+    EXPECT_TRUE(shading.transparent_shadows);
+}
+
+scene::World lit_world() {
+    scene::World world;
+    world.lights.emplace_back();
+    return world;
+}
+
+shade::Shader shader_of(const scene::Scene& scene, const scene::World& world,
+                        const Options& options) {
+    return std::get<View>(choose_view(scene, world, options)).render_options.shading.shader;
+}
+
+TEST(ChooseView, LightIsShownIfThereIsAny) {
+    const scene::Scene scene = scene_with_cameras();
+    EXPECT_EQ(shader_of(scene, {}, {}), shade::Shader::flat);
+    EXPECT_EQ(shader_of(scene, lit_world(), {}), shade::Shader::full);
+    Options options;
+    options.shader = shade::Shader::full;
+    EXPECT_EQ(shader_of(scene, {}, options), shade::Shader::full);
+    options.shader = shade::Shader::normals;
+    EXPECT_EQ(shader_of(scene, lit_world(), options), shade::Shader::normals);
+}
+
+TEST(ChooseView, WhatGivesOffLightIsALightAlongPathsAlone) {
+    scene::Scene scene = scene_with_cameras();
+    scene::World world;
+    world.materials.emplace_back();
+    scene.render.integrator = scene::Integrator::path;
+    EXPECT_EQ(shader_of(scene, world, {}), shade::Shader::flat);
+    world.materials.back().emission = Color{0.0f, 2.0f, 0.0f};
+    EXPECT_EQ(shader_of(scene, world, {}), shade::Shader::full);
+    scene.render.integrator = scene::Integrator::whitted;
+    EXPECT_EQ(shader_of(scene, world, {}), shade::Shader::flat);
+}
+
+TEST(ChooseView, ExposureAndToneMapAreForLightAndGammaForAll) {
+    scene::Scene scene = scene_with_cameras();
+    scene.render.exposure = 1.5;
+    scene.render.tonemap = image::ToneMap::aces;
+    scene.render.gamma = image::Gamma::linear;
+    Options options;
+    options.shader = shade::Shader::full;
+    const image::DisplaySettings light = chosen(scene, options).render_options.display;
+    EXPECT_EQ(light.exposure, 1.5);
+    EXPECT_EQ(light.tonemap, image::ToneMap::aces);
+    EXPECT_EQ(light.gamma, image::Gamma::linear);
+    options.shader = shade::Shader::depth;
+    const image::DisplaySettings depth = chosen(scene, options).render_options.display;
+    EXPECT_EQ(depth.exposure, 0.0);
+    EXPECT_EQ(depth.tonemap, image::ToneMap::none);
+    EXPECT_EQ(depth.gamma, image::Gamma::linear);
+}
+
 }  // namespace
 }  // namespace lray::cli

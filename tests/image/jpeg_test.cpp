@@ -22,7 +22,7 @@ std::string jpeg_bytes(const Image& image, int quality = 90, const Texts& metada
     std::string error;
     auto out = OutputFile::open(directory.path("a.jpg"), error);
     EXPECT_TRUE(out) << error;
-    EXPECT_TRUE(write_jpeg(*out, image, metadata, quality, error)) << error;
+    EXPECT_TRUE(write_jpeg(*out, image, Gamma::srgb, metadata, quality, error)) << error;
     EXPECT_TRUE(out->commit()) << out->error();
     return directory.read("a.jpg");
 }
@@ -159,7 +159,7 @@ TEST(JpegWrite, FullDiskIsAnErrorInWords) {
     auto out = OutputFile::open("/dev/full", error);
     ASSERT_TRUE(out) << error;
     const bool is_written =
-        write_jpeg(*out, test::random_image(400, 400, 23), {}, 100, error) && out->commit();
+        write_jpeg(*out, test::random_image(400, 400, 23), Gamma::srgb, {}, 100, error) && out->commit();
     EXPECT_FALSE(is_written);
     EXPECT_NE((error.empty() ? out->error() : error).find("space"), std::string::npos) << error;
 }
@@ -169,7 +169,7 @@ TEST(JpegWrite, PictureWiderThanTheFormatAllowsIsAnErrorInWords) {
     const test::TempDirectory directory;
     auto out = OutputFile::open(directory.path("a.jpg"), error);
     ASSERT_TRUE(out) << error;
-    EXPECT_FALSE(write_jpeg(*out, Image(65501, 1), {}, 90, error));
+    EXPECT_FALSE(write_jpeg(*out, Image(65501, 1), Gamma::srgb, {}, 90, error));
     EXPECT_NE(error.find("65500"), std::string::npos) << error;
 }
 

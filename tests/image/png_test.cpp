@@ -20,7 +20,7 @@ std::string png_bytes(const Image& image, const Texts& metadata = {}) {
     std::string error;
     auto out = OutputFile::open(directory.path("a.png"), error);
     EXPECT_TRUE(out) << error;
-    EXPECT_TRUE(write_png(*out, image, metadata, error)) << error;
+    EXPECT_TRUE(write_png(*out, image, Gamma::srgb, metadata, error)) << error;
     EXPECT_TRUE(out->commit()) << out->error();
     return directory.read("a.png");
 }
@@ -111,7 +111,8 @@ TEST(PngWrite, FullDiskIsAnErrorInWords) {
     std::string error;
     auto out = OutputFile::open("/dev/full", error);
     ASSERT_TRUE(out) << error;
-    const bool is_written = write_png(*out, random_image(300, 300, 7), {}, error) && out->commit();
+    const bool is_written =
+        write_png(*out, random_image(300, 300, 7), Gamma::srgb, {}, error) && out->commit();
     EXPECT_FALSE(is_written);
     EXPECT_NE((error.empty() ? out->error() : error).find("space"), std::string::npos) << error;
 }
@@ -145,6 +146,25 @@ TEST(PngRead, LimitIsCheckedBeforeMemoryIsTaken) {
     EXPECT_EQ(read_error(file, {11}), "4 x 3 pixels are more than the limit of 11");
     std::string error;
     EXPECT_TRUE(read_png(bytes_of(file), {12}, error)) << error;
+}
+
+TEST(PngWrite, LinearCodesAreMarkedAsSuch) {
+    const auto written = [](Gamma gamma) {
+        const test::TempDirectory directory;
+        std::string error;
+        auto out = OutputFile::open(directory.path("a.png"), error);
+        Image picture(1, 1);
+        picture.at(0, 0) = Color{0.0f, 0.5f, 1.0f};
+        EXPECT_TRUE(out && write_png(*out, picture, gamma, {}, error) && out->commit()) << error;
+        return directory.read("a.png");
+    };
+    const std::string linear = written(Gamma::linear);
+    expect_codes(linear, {0, 128, 255});
+    EXPECT_EQ(linear.find("sRGB"), std::string::npos);
+    EXPECT_NE(linear.find(std::string("gAMA\0\x01\x86\xa0", 8)), std::string::npos);  // 1.00000
+    const std::string srgb = written(Gamma::srgb);
+    expect_codes(srgb, {0, 188, 255});
+    EXPECT_NE(srgb.find("sRGB"), std::string::npos);
 }
 
 }  // namespace

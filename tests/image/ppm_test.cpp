@@ -17,7 +17,7 @@ std::string ppm_bytes(const Image& image) {
     std::string error;
     auto out = OutputFile::open(directory.path("a.ppm"), error);
     EXPECT_TRUE(out) << error;
-    EXPECT_TRUE(write_ppm(*out, image)) << out->error();
+    EXPECT_TRUE(write_ppm(*out, image, Gamma::srgb)) << out->error();
     EXPECT_TRUE(out->commit()) << out->error();
     return directory.read("a.ppm");
 }

@@ -70,13 +70,36 @@ TEST(SrgbRow, RunsAndChangesEncodeLikeSinglePixels) {
                                     {0.2f, 0.5f, 0.0f},
                                     {1.0f, 0.5f, 0.0f}};
     std::vector<std::uint8_t> bytes(15);
-    srgb_encode_row(pixels, bytes);
+    encode_row(pixels, Gamma::srgb, bytes);
     for (std::size_t i = 0; i < 15; ++i) {
         EXPECT_EQ(bytes[i], srgb_encode_8(pixels[i / 3][static_cast<int>(i % 3)])) << i;
     }
     std::vector<Color> decoded(5);
     srgb_decode_row(bytes, decoded);
     EXPECT_EQ(decoded[3].g, srgb_decode_8(188));
+}
+
+TEST(SrgbRow, LinearCodesAreSharesOfWhite) {
+    const std::vector<Color> pixels{{0.0f, 0.5f, 1.0f}, {-1.0f, 0.2f, 7.0f}};
+    std::vector<std::uint8_t> bytes(6);
+    encode_row(pixels, Gamma::linear, bytes);
+    EXPECT_EQ(bytes, (std::vector<std::uint8_t>{0, 128, 255, 0, 51, 255}));
+    EXPECT_EQ(linear_encode_8(std::numeric_limits<float>::quiet_NaN()), 0);
+}
+
+TEST(SrgbSlope, IsTheDerivativeOfTheFormula) {
+    for (int step = 1; step < 1000; ++step) {
+        const double linear = step / 1000.0;
+        const double h = 1e-6;
+        const double expected =
+            (encode_by_formula(linear + h) - encode_by_formula(linear - h)) / (2 * h);
+        EXPECT_NEAR(static_cast<double>(srgb_slope(static_cast<float>(linear))), expected,
+                    2e-6 * expected)
+            << linear;
+    }
+    EXPECT_EQ(srgb_slope(-1.0f), 12.92f);
+    EXPECT_EQ(srgb_slope(0.001f), 12.92f);
+    EXPECT_EQ(srgb_slope(5.0f), srgb_slope(1.0f));
 }
 
 }  // namespace

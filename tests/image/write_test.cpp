@@ -39,7 +39,7 @@ TEST(WriteImage, EachFormatIsToldApartWhenReadBack) {
         std::string error;
         auto out = OutputFile::open(directory.path("picture"), error);
         ASSERT_TRUE(out) << error;
-        ASSERT_TRUE(write_image(*out, image, format, {}, error)) << error;
+        ASSERT_TRUE(write_image(*out, image, format, Gamma::srgb, {}, error)) << error;
         ASSERT_TRUE(out->commit()) << out->error();
         const std::string file = directory.read("picture");
         const auto read = read_image(test::bytes_of(file), {}, error);

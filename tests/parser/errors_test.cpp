@@ -7,8 +7,9 @@
 //
 // `:10` is the column in the line above; a place in another file is `name:line:column`, and no
 // place is `-`. Where no comment can stand, a file NAME.expected holds the same lines, without
-// `//` and with `line:column`. A first line `// limits: nesting=4` sets limits. What the scenes
-// name is in tests/errors/files. Warnings that are silent by default are told too.
+// `//` and with `line:column`. A first line `// limits: nesting=4` sets limits, and `// light:
+// expected` is as if the picture were to show light. What the scenes name
+// is in tests/errors/files. Warnings that are silent by default are told too.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -98,12 +99,14 @@ std::string actual(const Loaded& loaded) {
 struct Limits {
     parser::LoadLimits load{};
     scene::FlattenLimits flatten{};
+    bool expects_light = false;
 };
 
-/// Reads `// limits: nesting=4 files=2`.
+/// Reads `// limits: nesting=4 files=2`, or `// light: expected`.
 Limits limits_of(std::string_view text) {
     Limits limits;
     constexpr std::string_view kStart = "// limits: ";
+    limits.expects_light = text.starts_with("// light: expected\n");
     if (!text.starts_with(kStart)) return limits;
     text = text.substr(kStart.size(), text.find('\n') - kStart.size());
     while (!text.empty()) {
@@ -176,7 +179,8 @@ TEST_P(ErrorCorpus, SaysExactlyWhatIsExpected) {
     Loaded loaded = load_file(GetParam() + ".lrs", with_limits(limits.load), all_warnings());
     EXPECT_EQ(loaded.scene.has_value(), !loaded.has_errors());
     if (loaded.scene) {
-        const auto world = flatten_and_lint(loaded, limits.flatten);
+        const auto world =
+            flatten_and_lint(loaded, limits.flatten, {.expects_light = limits.expects_light});
         EXPECT_EQ(world.has_value(), !loaded.has_errors());
     }
     EXPECT_EQ(expected(path), actual(loaded));

@@ -20,6 +20,7 @@ constexpr std::string_view kBall = "sphere { }\n";
 struct Setting {
     parser::LoadLimits limits{};  // of the wrong example; what takes gigabytes is made small
     scene::FlattenLimits flatten{};
+    scene::LintSettings lint{};
     std::vector<Companion> wrong_files{};
     std::vector<Companion> right_files{};
     std::string name = "main.lrs";
@@ -63,6 +64,8 @@ Setting setting_of(Code code) {
             {"hills.png", std::string_view("P6 2 2 255\n\0\0\0___\xff\xff\xff___", 23)}};
     } else if (code == Code::E0705) {
         with_files({{"chair.blend", "BLENDER"}, {"chair.obj", kObj}});
+    } else if (code == Code::W1502) {
+        setting.lint.expects_light = true;
     } else if (code == Code::W1603) {
         with_files({{"meshes/bunny.obj", kObj}});
     } else {
@@ -88,8 +91,8 @@ Loaded load_example(std::string_view example, const Setting& setting, bool is_wr
     const parser::LoadLimits limits = is_wrong ? setting.limits : parser::LoadLimits{};
     Loaded loaded =
         load_file(directory.write(setting.name, text), with_limits(limits), all_warnings());
-    static_cast<void>(
-        flatten_and_lint(loaded, is_wrong ? setting.flatten : scene::FlattenLimits{}));
+    static_cast<void>(flatten_and_lint(loaded, is_wrong ? setting.flatten : scene::FlattenLimits{},
+                                       setting.lint));
     return loaded;
 }
 

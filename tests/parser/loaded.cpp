@@ -41,10 +41,11 @@ WarningLevels all_warnings() {
     return levels;
 }
 
-std::optional<scene::World> flatten_and_lint(Loaded& loaded, const scene::FlattenLimits& limits) {
+std::optional<scene::World> flatten_and_lint(Loaded& loaded, const scene::FlattenLimits& limits,
+                                             const scene::LintSettings& settings) {
     if (!loaded.scene) return std::nullopt;
     auto world = scene::flatten(*loaded.scene, limits, loaded.diagnostics);
-    if (world) scene::lint(*loaded.scene, *world, {}, loaded.diagnostics);
+    if (world) scene::lint(*loaded.scene, *world, settings, loaded.diagnostics);
     return world;
 }
 

@@ -54,7 +54,8 @@ WarningLevels all_warnings();
 
 /// Flattens what was loaded and looks at it as a whole, as the program does.
 std::optional<scene::World> flatten_and_lint(Loaded& loaded,
-                                             const scene::FlattenLimits& limits = {});
+                                             const scene::FlattenLimits& limits = {},
+                                             const scene::LintSettings& settings = {});
 
 /// Loads the text as `main.lrs` in a directory with the companions.
 Loaded load_text(std::string_view text, const parser::LoadSettings& settings = {},

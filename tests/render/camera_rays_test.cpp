@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/sampler.h"
+#include "render/decisions.h"
 #include "tests/support/random.h"
 
 namespace lray::render {
@@ -139,6 +142,150 @@ TEST(CameraRays, HugeAndTinyDistancesKeepTheDirection) {
         camera.look_at = {0.0, 0.0, 0.0};
         EXPECT_EQ(CameraRays(camera, {2, 2}).through({1.0, 1.0}).dir, Vec3(0.0f, 0.0f, -1.0f));
     }
+}
+
+TEST(DiskPoint, CornersSidesAndCentre) {
+    const double s = std::sqrt(0.5);
+    const auto expect = [](DVec2 pair, DVec2 expected) {
+        EXPECT_NEAR(disk_point(pair).x, expected.x, 1e-15);
+        EXPECT_NEAR(disk_point(pair).y, expected.y, 1e-15);
+    };
+    EXPECT_EQ(disk_point(kLensCenter), DVec2(0.0, 0.0));
+    expect({1.0, 0.5}, {1.0, 0.0});
+    expect({0.0, 0.5}, {-1.0, 0.0});
+    expect({0.5, 1.0}, {0.0, 1.0});
+    expect({0.5, 0.0}, {0.0, -1.0});
+    expect({1.0, 1.0}, {s, s});
+    expect({0.0, 1.0}, {-s, s});
+    expect({0.0, 0.0}, {-s, -s});
+    expect({1.0, 0.0}, {s, -s});
+}
+
+// A map that keeps areas takes evenly spread pairs to points that fall evenly on rings of the same
+// area, and on sectors of the same angle.
+TEST(DiskPoint, KeepsAreas) {
+    constexpr std::uint32_t kCount = 1u << 18;
+    constexpr std::size_t kRings = 8;
+    constexpr std::size_t kSectors = 16;
+    std::array<double, kRings> rings{};
+    std::array<double, kSectors> sectors{};
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+        const DVec2 point =
+            disk_point(PixelSample::of(SamplerKind::sobol, 1, 2, 3, i).pair(kLensDecision));
+        const double square = dot(point, point);
+        ASSERT_LT(square, 1.0);
+        ++rings[static_cast<std::size_t>(square * kRings)];
+        const double turn = std::atan2(point.y, point.x) / (2.0 * std::acos(-1.0)) + 0.5;
+        ++sectors[static_cast<std::size_t>(turn * kSectors) % kSectors];
+    }
+    for (const double count : rings) EXPECT_NEAR(count * kRings, kCount, 0.005 * kCount);
+    for (const double count : sectors) EXPECT_NEAR(count * kSectors, kCount, 0.005 * kCount);
+}
+
+/// Where a ray meets the plane z = 0.
+DVec2 on_plane(const Ray& ray) {
+    const double t = static_cast<double>(ray.origin.z) / -static_cast<double>(ray.dir.z);
+    return {static_cast<double>(ray.origin.x) + t * static_cast<double>(ray.dir.x),
+            static_cast<double>(ray.origin.y) + t * static_cast<double>(ray.dir.y)};
+}
+
+constexpr std::array<DVec2, 6> kLensPairs{
+    {{0.5, 0.5}, {0.0, 0.0}, {0.999, 0.0}, {0.25, 0.75}, {0.5, 0.999}, {0.1, 0.45}}};
+
+TEST(CameraRays, AllOfTheLensSeesOnePointInThePlaneOfFocus) {
+    for (const auto projection :
+         {scene::Projection::perspective, scene::Projection::orthographic}) {
+        scene::Camera camera = camera_with(60.0);
+        camera.projection = projection;
+        camera.height = 3.0;
+        const Vec3 pinhole_origin = CameraRays(camera, {40, 30}).through({7.25, 3.5}).origin;
+        const DVec2 sharp = on_plane(CameraRays(camera, {40, 30}).through({7.25, 3.5}));
+        camera.aperture = 0.5;
+        camera.focus = 5.0;  // the plane z = 0
+        const CameraRays rays(camera, {40, 30});
+        for (const DVec2 lens : kLensPairs) {
+            const Ray ray = rays.through({7.25, 3.5}, lens);
+            EXPECT_NEAR(dot(ray.dir, ray.dir), 1.0f, 4e-7f);
+            EXPECT_EQ(ray.origin.z, 5.0f);
+            const Vec3 aside = ray.origin - pinhole_origin;
+            const DVec2 expected = 0.25 * disk_point(lens);
+            EXPECT_NEAR(static_cast<double>(aside.x), expected.x, 1e-6);
+            EXPECT_NEAR(static_cast<double>(aside.y), expected.y, 1e-6);
+            EXPECT_NEAR(on_plane(ray).x, sharp.x, 2e-6);
+            EXPECT_NEAR(on_plane(ray).y, sharp.y, 2e-6);
+        }
+    }
+}
+
+TEST(CameraRays, WithoutFocusWhatIsLookedAtIsSharp) {
+    scene::Camera camera = camera_with(45.0);
+    camera.aperture = 1.0;
+    for (const DVec2 lens : kLensPairs) {
+        const DVec2 point = on_plane(CameraRays(camera, {40, 30}).through({20.0, 15.0}, lens));
+        EXPECT_NEAR(point.x, 0.0, 1e-6);
+        EXPECT_NEAR(point.y, 0.0, 1e-6);
+    }
+}
+
+TEST(CameraRays, TheMiddleOfALensIsThePinhole) {
+    scene::Camera lens = camera_with(50.0);
+    lens.aperture = 0.3;
+    lens.focus = 0.125;
+    const CameraRays rays(lens, {64, 48});
+    const CameraRays pinhole(camera_with(50.0), {64, 48});
+    for (const DVec2 position : {DVec2{0.0, 0.0}, DVec2{13.5, 40.25}}) {
+        EXPECT_EQ(rays.through(position).origin, pinhole.through(position).origin);
+        EXPECT_EQ(rays.through(position).dir, pinhole.through(position).dir);
+    }
+}
+
+TEST(CameraRays, APanoramaHasNoLens) {
+    scene::Camera camera;
+    camera.projection = scene::Projection::panorama;
+    camera.aperture = 2.0;
+    const CameraRays rays(camera, {40, 20});
+    EXPECT_FALSE(rays.has_lens());
+    EXPECT_EQ(rays.through({3.0, 4.0}, {0.9, 0.1}).origin, Vec3(0.0f, 0.0f, 5.0f));
+    EXPECT_EQ(rays.through({3.0, 4.0}, {0.9, 0.1}).dir, rays.through({3.0, 4.0}).dir);
+}
+
+TEST(CameraRays, HugeAndTinyFocusKeepTheDirection) {
+    for (const double focus : {1e-300, 1e-30, 1e30, 1e300}) {
+        scene::Camera camera = camera_with(90.0);
+        camera.aperture = 1e-3 * focus;
+        camera.focus = focus;
+        const Vec3 dir = CameraRays(camera, {2, 2}).through({1.0, 1.0}, {1.0, 0.5}).dir;
+        expect_near(dir, {-0.5e-3, 0.0, -1.0}, 1e-6);
+    }
+}
+
+TEST(CameraRays, AConeIsAsWideAsThePixelsOnASphereAround) {
+    const CameraRays rays(camera_with(90.0), {400, 200});
+    for (const DVec2 position : {DVec2{200.0, 100.0}, DVec2{0.0, 0.0}, DVec2{391.0, 17.0}}) {
+        const PixelCone cone = rays.cone(position);
+        EXPECT_EQ(cone.width_at_origin, 0.0);
+        // Neighbours in the direction around the middle of the picture are that far apart.
+        const DVec2 out = position - DVec2{200.0, 100.0};
+        const double length = std::sqrt(dot(out, out));
+        const DVec2 around = length > 0.0 ? DVec2{-out.y, out.x} / length : DVec2{1.0, 0.0};
+        const DVec3 apart = DVec3(rays.through(position + 0.5 * around).dir) -
+                            DVec3(rays.through(position - 0.5 * around).dir);
+        EXPECT_NEAR(cone.spread, std::sqrt(dot(apart, apart)), 3e-7);
+    }
+    EXPECT_NEAR(rays.cone({200.0, 100.0}).spread, 0.01, 1e-9);
+}
+
+TEST(CameraRays, ConesOfOtherProjections) {
+    scene::Camera camera;
+    camera.projection = scene::Projection::orthographic;
+    camera.height = 3.0;
+    EXPECT_EQ(CameraRays(camera, {40, 30}).cone({1.0, 2.0}).width_at_origin, 0.1);
+    EXPECT_EQ(CameraRays(camera, {40, 30}).cone({1.0, 2.0}).spread, 0.0);
+    camera.projection = scene::Projection::panorama;
+    const CameraRays rays(camera, {40, 20});
+    const DVec3 apart =
+        DVec3(rays.through({20.0, 10.5}).dir) - DVec3(rays.through({20.0, 9.5}).dir);
+    EXPECT_NEAR(rays.cone({20.0, 10.0}).spread, std::sqrt(dot(apart, apart)), 2e-4);
 }
 
 }  // namespace

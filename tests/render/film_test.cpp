@@ -98,6 +98,66 @@ TEST(Film, NotANumberIsBlackAndCounted) {
     EXPECT_EQ(film.counts().clamped, 0u);
 }
 
+Film film_with_squares(const std::vector<Color>& samples) {
+    Film film(1, 1, Film::Keeps::squares);
+    for (const Color& sample : samples) film.add(0, 0, sample);
+    return film;
+}
+
+TEST(Film, StandardErrorIsThatOfTheMean) {
+    // Of 1, 2, 3, 4: the variance is 5/3, and that of the mean a quarter of it.
+    const Film film = film_with_squares(
+        {{1.0f, 0.0f, -1.0f}, {2.0f, 0.0f, -2.0f}, {3.0f, 0.0f, -3.0f}, {4.0f, 0.0f, -4.0f}});
+    const float expected = std::sqrt(5.0f / 12.0f);
+    EXPECT_NEAR(film.standard_error(0, 0).r, expected, 1e-7f);
+    EXPECT_EQ(film.standard_error(0, 0).g, 0.0f);
+    EXPECT_EQ(film.standard_error(0, 0).b, film.standard_error(0, 0).r);
+}
+
+TEST(Film, StandardErrorOfALittleUnrestInBrightLightIsNotLost) {
+    // Doubles would lose it: the squares are 4.3e9, and the variance 2.3e-10.
+    std::vector<Color> samples;
+    for (int i = 0; i < 32; ++i) samples.emplace_back(65000.0f);
+    samples[7] = Color{65000.00390625f};
+    const float expected = 0.00390625f * std::sqrt((1.0f / 32.0f - 1.0f / 1024.0f) / 31.0f);
+    EXPECT_NEAR(film_with_squares(samples).standard_error(0, 0).r, expected, 1e-6f * expected);
+    for (Color& sample : samples) sample = Color{65000.0f};
+    EXPECT_EQ(film_with_squares(samples).standard_error(0, 0), Color(0.0f));
+}
+
+TEST(Film, StandardErrorDoesNotDependOnTheOrder) {
+    constexpr std::uint64_t kSeed = 8;
+    LRAY_TRACE_SEED(kSeed);
+    test::Random random(kSeed);
+    std::vector<Color> samples(1000);
+    for (Color& sample : samples) {
+        sample = random.vec3(-1.0, 1.0) * static_cast<float>(std::exp2(random.uniform(-9.0, 15.0)));
+    }
+    const Color forward = film_with_squares(samples).standard_error(0, 0);
+    std::reverse(samples.begin(), samples.end());
+    EXPECT_EQ(film_with_squares(samples).standard_error(0, 0), forward);
+
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const Color& sample : samples) sum += static_cast<double>(sample.r) / 1000.0;
+    for (const Color& sample : samples) {
+        const double off = static_cast<double>(sample.r) - sum;
+        squares += off * off;
+    }
+    const double expected = std::sqrt(squares / 999.0 / 1000.0);
+    EXPECT_NEAR(static_cast<double>(forward.r), expected, 1e-6 * expected);
+}
+
+TEST(Film, SquaresOfTheBrightestSamplesDoNotOverflow) {
+    Film film(1, 1, Film::Keeps::squares);
+    for (std::uint32_t i = 0; i < Film::kMaxSamples; ++i) {
+        film.add(0, 0, {65504.0f, i % 2 == 0 ? 65504.0f : -65504.0f, 0.0f});
+    }
+    EXPECT_EQ(film.standard_error(0, 0).r, 0.0f);
+    const double expected = 65504.0 / std::sqrt(Film::kMaxSamples - 1.0);
+    EXPECT_NEAR(static_cast<double>(film.standard_error(0, 0).g), expected, 1e-6 * expected);
+}
+
 TEST(FilmDeathTest, OneSampleTooManyIsOurBug) {
     Film film(1, 1);
     for (std::uint32_t i = 0; i < Film::kMaxSamples; ++i) film.add(0, 0, Color{0.0f});

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <set>
 #include <vector>
 
 #include "base/angle.h"
+#include "render/sample_tracer.h"
 
 namespace lray::render {
 namespace {
@@ -59,6 +61,17 @@ class RenderTest : public testing::Test {
         options_.seed = 7;
     }
 
+    static void expect_part_of(const image::Image& whole, const image::Image& part,
+                               const PixelRect& crop) {
+        ASSERT_EQ(part.width, crop.width());
+        ASSERT_EQ(part.height, crop.height());
+        for (std::uint32_t y = crop.y0; y < crop.y1; ++y) {
+            for (std::uint32_t x = crop.x0; x < crop.x1; ++x) {
+                ASSERT_EQ(part.at(x - crop.x0, y - crop.y0), whole.at(x, y)) << x << ", " << y;
+            }
+        }
+    }
+
     RenderResult run(const ProgressFunction& on_progress = {}) const {
         return render(world_, accel_, camera_, options_, on_progress, cancel_);
     }
@@ -99,6 +112,42 @@ TEST_F(RenderTest, ThreadsGiveTheSameBits) {
     }
 }
 
+TEST_F(RenderTest, EverySamplerAndLensGivesTheSameBitsHoweverItIsSplit) {
+    camera_.focus = 3.0;
+    for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::random}) {
+        for (const double aperture : {0.0, 0.5}) {
+            use_random_samples(5);
+            options_.sampler = sampler;
+            camera_.aperture = aperture;
+            options_.thread_count = 1;
+            options_.batch_size = 64;
+            options_.crop.reset();
+            const RenderResult single = run();
+            for (const std::uint32_t thread_count : {2u, 7u}) {
+                options_.thread_count = thread_count;
+                options_.batch_size = 5 * thread_count;
+                EXPECT_EQ(run().image.pixels, single.image.pixels) << thread_count;
+            }
+            options_.crop = PixelRect{31, 9, 77, 60};
+            expect_part_of(single.image, run().image, *options_.crop);
+        }
+    }
+}
+
+TEST_F(RenderTest, SamplersAndLensesDiffer) {
+    use_random_samples(4);
+    const RenderResult sobol = run();
+    options_.sampler = SamplerKind::random;
+    const RenderResult random = run();
+    EXPECT_NE(random.image.pixels, sobol.image.pixels);
+    camera_.aperture = 0.5;
+    EXPECT_NE(run().image.pixels, random.image.pixels);
+    options_.position = PixelPosition::center;  // the middle of the lens too
+    const RenderResult center = run();
+    camera_.aperture = 0.0;
+    EXPECT_EQ(run().image.pixels, center.image.pixels);
+}
+
 TEST_F(RenderTest, BatchesOfAnySizeGiveTheSameBits) {
     use_random_samples(2);
     const RenderResult single = run();
@@ -117,14 +166,8 @@ TEST_F(RenderTest, CropIsTheSamePixelsOfTheWhole) {
         options_.thread_count = 2;
         const RenderResult part = run();
         EXPECT_TRUE(part.is_complete);
-        ASSERT_EQ(part.image.width, crop.width());
-        ASSERT_EQ(part.image.height, crop.height());
         EXPECT_EQ(part.primary.rays, 3 * crop.pixel_count());
-        for (std::uint32_t y = crop.y0; y < crop.y1; ++y) {
-            for (std::uint32_t x = crop.x0; x < crop.x1; ++x) {
-                ASSERT_EQ(part.image.at(x - crop.x0, y - crop.y0), whole.image.at(x, y));
-            }
-        }
+        expect_part_of(whole.image, part.image, crop);
     }
 }
 
@@ -240,6 +283,137 @@ TEST_F(RenderTest, ProgressIsToldAndOneAtATime) {
         EXPECT_LE(progress.done_samples, progress.total_samples);
         EXPECT_GE(progress.done_samples, last);
         last = progress.done_samples;
+    }
+}
+
+/// The samples of each pixel and its picture, by itself: what --noise promises.
+TEST_F(RenderTest, NoiseGivesEachPixelThePowerOfTwoThatItNeeds) {
+    constexpr std::uint32_t kMax = 512;
+    use_random_samples(kMax);
+    options_.limits.noise = 0.02;
+    const RenderResult result = run();
+    EXPECT_TRUE(result.is_complete);
+    EXPECT_EQ(result.sample_count, result.primary.rays);
+    const SampleTracer tracer(world_, accel_, camera_, options_);
+    const image::Display display({});
+    std::uint64_t sample_count = 0;
+    std::uint64_t converged = 0;
+    std::set<std::uint32_t> seen;
+    for (std::uint32_t y = 0; y < 67; ++y) {
+        for (std::uint32_t x = 0; x < 101; ++x) {
+            Film film(1, 1, Film::Keeps::squares);
+            bvh::TraceCounts counts;
+            std::uint32_t done = 0;
+            for (std::uint32_t next = kFirstNoiseCheck; next <= kMax; next *= 2) {
+                const std::array<FilmPlace, 1> place{{{0, 0}}};
+                tracer.add_samples({x, y, x + 1, y + 1}, place, {done, next}, film, counts,
+                                   cancel_);
+                done = next;
+                const Color mean = film.resolve(0, 0);
+                const Color error = film.standard_error(0, 0);
+                bool is_quiet = true;
+                for (int channel = 0; channel < 3; ++channel) {
+                    is_quiet = is_quiet &&
+                               display.displayed_error(static_cast<double>(mean[channel]),
+                                                       static_cast<double>(error[channel])) <= 0.02;
+                }
+                if (!is_quiet) continue;
+                if (done < kMax) ++converged;
+                break;
+            }
+            sample_count += done;
+            seen.insert(done);
+            ASSERT_EQ(result.image.at(x, y), film.resolve(0, 0)) << x << ", " << y;
+        }
+    }
+    EXPECT_EQ(result.sample_count, sample_count);
+    EXPECT_EQ(result.converged_pixels, converged);
+    EXPECT_GE(seen.size(), 3u) << "pixels must need different numbers, or nothing is compared";
+}
+
+TEST_F(RenderTest, NoiseDoesNotDependOnThreadsBatchesCropsOrTime) {
+    use_random_samples(256);
+    options_.limits.noise = 0.03;
+    const RenderResult single = run();
+    options_.thread_count = 7;
+    options_.batch_size = 3;
+    EXPECT_EQ(run().image.pixels, single.image.pixels);
+    options_.limits.seconds = 1e9;  // whole passes over the picture, and time enough
+    const RenderResult passes = run();
+    EXPECT_EQ(passes.image.pixels, single.image.pixels);
+    EXPECT_EQ(passes.sample_count, single.sample_count);
+    EXPECT_EQ(passes.converged_pixels, single.converged_pixels);
+    options_.crop = PixelRect{13, 7, 62, 45};
+    expect_part_of(single.image, run().image, *options_.crop);
+    options_.limits.seconds.reset();
+    expect_part_of(single.image, run().image, *options_.crop);
+}
+
+TEST_F(RenderTest, BrighterExposureNeedsMoreSamples) {
+    use_random_samples(256);
+    options_.limits.noise = 0.02;
+    options_.display.exposure = -3.0;
+    const RenderResult dark = run();
+    options_.display.exposure = 0.0;
+    EXPECT_GT(run().sample_count, dark.sample_count);
+}
+
+TEST_F(RenderTest, TimeEndsOnWholePasses) {
+    use_random_samples(Film::kMaxSamples);
+    for (const double seconds : {1e-9, 0.2}) {
+        options_.limits.seconds = seconds;
+        options_.thread_count = 2;
+        const RenderResult result = run();
+        EXPECT_TRUE(result.is_complete);
+        const std::uint64_t pixel_count = 101 * 67;
+        ASSERT_EQ(result.sample_count % pixel_count, 0u);
+        const auto passes = static_cast<std::uint32_t>(result.sample_count / pixel_count);
+        EXPECT_GE(passes, 1u);
+        if (seconds < 0.1) {
+            EXPECT_EQ(passes, 1u);
+        } else {
+            EXPECT_GT(passes, 1u);
+        }
+        RenderOptions fixed = options_;
+        fixed.limits = {};
+        fixed.samples = {0, passes};
+        EXPECT_EQ(render(world_, accel_, camera_, fixed, {}, cancel_).image.pixels,
+                  result.image.pixels);
+    }
+}
+
+TEST_F(RenderTest, AllSamplesEndARenderBeforeItsTime) {
+    use_random_samples(3);
+    const RenderResult fixed = run();
+    options_.limits.seconds = 1e9;
+    const RenderResult result = run();
+    EXPECT_EQ(result.image.pixels, fixed.image.pixels);
+    EXPECT_EQ(result.sample_count, 3u * 101u * 67u);
+}
+
+TEST_F(RenderTest, CancelledInAPassKeepsWhatThereIs) {
+    options_.resolution = {8, 8};
+    const RenderResult whole = run();
+    options_.samples = {0, 16};
+    options_.limits.seconds = 1e9;
+    const CancellingAccel accel(cancel_, 64 * 5);
+    const RenderResult result = render(world_, accel, camera_, options_, {}, cancel_);
+    EXPECT_FALSE(result.is_complete);
+    EXPECT_EQ(result.primary.rays, 64u * 5);
+    EXPECT_EQ(result.image.pixels, whole.image.pixels);
+}
+
+TEST_F(RenderTest, ProgressOfLimitsTellsPixelsAndTime) {
+    use_random_samples(128);
+    options_.limits = {.seconds = 1e9, .noise = 0.05};
+    std::vector<RenderProgress> told;
+    run([&](const RenderProgress& progress) { told.push_back(progress); });
+    ASSERT_FALSE(told.empty());
+    for (const RenderProgress& progress : told) {
+        EXPECT_EQ(progress.total_pixels, 101u * 67u);
+        EXPECT_LE(progress.finished_pixels, progress.total_pixels);
+        EXPECT_EQ(progress.limits.noise, 0.05);
+        EXPECT_GE(progress.seconds, 0.0);
     }
 }
 

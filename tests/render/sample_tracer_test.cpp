@@ -43,6 +43,14 @@ class SampleTracerTest : public testing::Test {
             std::size_t{0});
     }
 
+    static std::vector<FilmPlace> all_of(const PixelRect& part) {
+        std::vector<FilmPlace> places;
+        for (std::uint32_t y = 0; y < part.height(); ++y) {
+            for (std::uint32_t x = 0; x < part.width(); ++x) places.push_back({x, y});
+        }
+        return places;
+    }
+
     Film traced(const PixelRect& part, const std::vector<SampleRange>& ranges) const {
         const auto accel = bvh::build(world_, {.kind = bvh::AccelKind::none});
         const SampleTracer tracer(world_, *accel, camera_, options_);
@@ -50,10 +58,8 @@ class SampleTracerTest : public testing::Test {
         bvh::TraceCounts counts;
         const std::atomic<bool> cancel{false};
         for (const SampleRange range : ranges) {
-            for (std::uint32_t sample = range.begin; sample < range.end; ++sample) {
-                EXPECT_EQ(tracer.add_sample(part, sample, film, counts, cancel),
-                          part.pixel_count());
-            }
+            EXPECT_EQ(tracer.add_samples(part, all_of(part), range, film, counts, cancel),
+                      part.pixel_count() * range.count());
         }
         return film;
     }
@@ -137,7 +143,8 @@ TEST_F(SampleTracerTest, CancelledTracesNothing) {
     Film film(4, 4);
     bvh::TraceCounts counts;
     const std::atomic<bool> cancel{true};
-    EXPECT_EQ(tracer.add_sample({0, 0, 4, 4}, 0, film, counts, cancel), 0u);
+    const PixelRect part{0, 0, 4, 4};
+    EXPECT_EQ(tracer.add_samples(part, all_of(part), {0, 3}, film, counts, cancel), 0u);
     EXPECT_EQ(counts.rays, 0u);
 }
 

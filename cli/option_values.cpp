@@ -183,7 +183,7 @@ std::string store_stats(Options& options, std::string_view text) {
 
 std::string store_format(Options& options, std::string_view text) {
     options.format = image::find_format(text);
-    return options.format ? std::string{} : fmt::format("takes ppm or png, not `{}`", text);
+    return options.format ? std::string{} : fmt::format("takes ppm, png or pfm, not `{}`", text);
 }
 
 std::string store_color(Options& options, std::string_view text) {

@@ -228,7 +228,7 @@ std::optional<Failure> choose_format(Options& options) {
     const std::string_view extension = image::extension(options.output_path);
     options.format = image::find_format(extension);
     if (options.format) return std::nullopt;
-    const std::string help = "end its name in .ppm or .png, or choose with `--format ppm|png`";
+    const std::string help = "end its name in .ppm, .png or .pfm, or choose with `--format ppm|png|pfm`";
     if (extension.empty()) {
         return usage_error(
             fmt::format("`{}` has no extension that names a format", options.output_path), help);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "image/pfm.h"
 #include "image/png.h"
 #include "image/ppm.h"
 
@@ -32,6 +33,8 @@ std::string_view format_name(Format format) {
             return "ppm";
         case Format::png:
             return "png";
+        case Format::pfm:
+            return "pfm";
     }
     LRAY_ASSERT(false);
 }
@@ -54,6 +57,10 @@ bool write_image(OutputFile& out, const Image& image, Format format, Metadata me
             return false;
         case Format::png:
             return write_png(out, image, metadata, error);
+        case Format::pfm:
+            if (write_pfm(out, image)) return true;
+            error = out.error();
+            return false;
     }
     LRAY_ASSERT(false);
 }

@@ -14,10 +14,11 @@
 
 namespace lray::image {
 
-enum class Format : std::uint8_t { ppm, png };
-inline constexpr std::array kFormats{Format::ppm, Format::png};
+enum class Format : std::uint8_t { ppm, png, pfm };
+inline constexpr std::array kFormats{Format::ppm, Format::png, Format::pfm};
 
-/// Returns the format of that file extension or name ("png", "ppm", any case); empty if unknown.
+/// Returns the format of that file extension or name ("png", "ppm", "pfm", any case); empty if
+/// unknown.
 std::optional<Format> find_format(std::string_view name);
 
 /// Returns the name of a format, which is its file extension too.
@@ -29,8 +30,8 @@ std::string_view extension(std::string_view path);
 /// Keyword and text, stored in the file where the format can (PNG: iTXt or tEXt).
 using Metadata = std::span<const std::pair<std::string, std::string>>;
 
-/// Writes the picture as 8-bit sRGB. The bytes depend on the arguments alone: no time, no version.
-/// Errors: false, and `error` tells why in words.
+/// Writes the picture, PPM and PNG as 8-bit sRGB, PFM as it is. The bytes depend on the arguments
+/// alone: no time, no version. Errors: false, and `error` tells why in words.
 bool write_image(OutputFile& out, const Image& image, Format format, Metadata metadata,
                  std::string& error);
 

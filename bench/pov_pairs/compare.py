@@ -160,7 +160,8 @@ def render(lray, name, directory):
 
 def show(name, a, b):
     largest, all_rms, rms, beside, edges = compare(a, b)
-    print(f"{name:10} {largest:11.6f} {all_rms:11.8f} {100 * edges:8.3f} % {beside:12.6f} {rms:12.8f}")
+    numbers = f"{largest:11.6f} {all_rms:11.8f} {100 * edges:8.3f} % {beside:12.6f} {rms:12.8f}"
+    print(f"{name:10} {numbers}")
     return rms <= LARGEST_RMS_BESIDE_EDGES and edges <= LARGEST_EDGE_SHARE
 
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,8 +10,11 @@
 #include <fmt/format.h>
 
 #include "base/output_file.h"
+#include "bench/text_writer.h"
 
 namespace {
+
+using lray::bench::TextWriter;
 
 constexpr std::string_view kUsage =
     "usage: make_scene_text triangles|points|painted|obj COUNT PATH\n"
@@ -39,37 +41,7 @@ class Coordinates {
     std::uint64_t state_ = 1;
 };
 
-/// Text that goes to the file piece by piece.
-class Writer {
- public:
-    explicit Writer(lray::OutputFile& file) : file_(file) {}
-
-    template <class... Args>
-    void print(fmt::format_string<Args...> format, Args... args) {
-        fmt::vformat_to(std::back_inserter(buffer_), fmt::string_view(format),
-                        fmt::make_format_args(args...));
-        constexpr std::size_t kPiece = std::size_t{1} << 20;
-        if (buffer_.size() >= kPiece) flush();
-    }
-
-    /// Returns false if anything could not be written.
-    bool finish() {
-        flush();
-        return is_good_ && file_.commit();
-    }
-
- private:
-    void flush() {
-        is_good_ = is_good_ && file_.write(std::string_view(buffer_.data(), buffer_.size()));
-        buffer_.clear();
-    }
-
-    lray::OutputFile& file_;
-    fmt::memory_buffer buffer_;
-    bool is_good_ = true;
-};
-
-void write_triangles(std::uint64_t count, Writer& out) {
+void write_triangles(std::uint64_t count, TextWriter& out) {
     Coordinates random;
     const auto point = [&](const char* name, const char* end) {
         const double x = random.next();
@@ -85,7 +57,7 @@ void write_triangles(std::uint64_t count, Writer& out) {
     }
 }
 
-void write_painted(std::uint64_t count, Writer& out) {
+void write_painted(std::uint64_t count, TextWriter& out) {
     Coordinates random;
     out.print("let red = material {{ diffuse: crimson }}\n");
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -96,7 +68,7 @@ void write_painted(std::uint64_t count, Writer& out) {
     }
 }
 
-void write_points(std::uint64_t count, Writer& out) {
+void write_points(std::uint64_t count, TextWriter& out) {
     Coordinates random;
     out.print("let points = [\n");
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -108,7 +80,7 @@ void write_points(std::uint64_t count, Writer& out) {
     out.print("]\n");
 }
 
-void write_obj(std::uint64_t count, Writer& out) {
+void write_obj(std::uint64_t count, TextWriter& out) {
     // Two triangles in each of side x side cells.
     const auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count) / 2.0));
     Coordinates random;
@@ -149,7 +121,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "{}: {}\n", argv[3], error);
         return 4;
     }
-    Writer out(*file);
+    TextWriter out(*file);
     write(count, out);
     if (!out.finish()) {
         fmt::print(stderr, "{}: {}\n", argv[3], file->error());

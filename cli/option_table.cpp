@@ -53,7 +53,7 @@ constexpr std::array kPictureOptions{
                store_crop},
     OptionSpec{"camera", "NAME", "which camera of the scene; the first one otherwise",
                keep<&Options::camera_name>},
-    OptionSpec{"format", "ppm|png|jpg", "otherwise by the extension of the picture", store_format},
+    OptionSpec{"format", "ppm|png|jpg|pfm", "otherwise by the extension of the picture", store_format},
     OptionSpec{"accel", "KIND", "the hierarchy: none, spheres or boxes; the picture is the same",
                store_accel},
     OptionSpec{"quality", "HOW", "of boxes, low, medium or high: how long the building may take",

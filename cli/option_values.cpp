@@ -228,7 +228,8 @@ std::string store_stats(Options& options, std::string_view text) {
 
 std::string store_format(Options& options, std::string_view text) {
     options.format = image::find_format(text);
-    return options.format ? std::string{} : fmt::format("takes ppm, png or jpg, not `{}`", text);
+    return options.format ? std::string{}
+                          : fmt::format("takes ppm, png, jpg or pfm, not `{}`", text);
 }
 
 std::string store_color(Options& options, std::string_view text) {

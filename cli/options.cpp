@@ -229,7 +229,7 @@ std::optional<Failure> choose_format(Options& options) {
     options.format = image::find_format(extension);
     if (options.format) return std::nullopt;
     const std::string help =
-        "end its name in .ppm, .png or .jpg, or choose with `--format ppm|png|jpg`";
+        "end its name in .ppm, .png, .jpg or .pfm, or choose with `--format ppm|png|jpg|pfm`";
     if (extension.empty()) {
         return usage_error(
             fmt::format("`{}` has no extension that names a format", options.output_path), help);

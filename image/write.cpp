@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "image/jpeg.h"
+#include "image/pfm.h"
 #include "image/png.h"
 #include "image/ppm.h"
 
@@ -36,6 +37,8 @@ std::string_view format_name(Format format) {
             return "png";
         case Format::jpg:
             return "jpg";
+        case Format::pfm:
+            return "pfm";
     }
     LRAY_ASSERT(false);
 }
@@ -60,6 +63,10 @@ bool write_image(OutputFile& out, const Image& image, Format format, Gamma gamma
             return write_png(out, image, gamma, metadata, error);
         case Format::jpg:
             return write_jpeg(out, image, gamma, metadata, jpeg_quality, error);
+        case Format::pfm:
+            if (write_pfm(out, image)) return true;
+            error = out.error();
+            return false;
     }
     LRAY_ASSERT(false);
 }

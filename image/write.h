@@ -15,8 +15,8 @@
 
 namespace lray::image {
 
-enum class Format : std::uint8_t { ppm, png, jpg };
-inline constexpr std::array kFormats{Format::ppm, Format::png, Format::jpg};
+enum class Format : std::uint8_t { ppm, png, jpg, pfm };
+inline constexpr std::array kFormats{Format::ppm, Format::png, Format::jpg, Format::pfm};
 
 /// Returns the format of that file extension or name ("png", "jpg", "jpeg", any case); empty
 /// if unknown.
@@ -33,8 +33,8 @@ using Metadata = std::span<const std::pair<std::string, std::string>>;
 
 inline constexpr int kDefaultJpegQuality = 90;
 
-/// Writes the picture in 8 bits. The bytes depend on the arguments alone: no time, no version.
-/// `jpeg_quality`, 1 to 100, is regarded by JPEG only.
+/// Writes the picture, PFM as it is, the others in 8 bits. The bytes depend on the arguments alone:
+/// no time, no version. `jpeg_quality`, 1 to 100, is regarded by JPEG only.
 /// Errors: false, and `error` tells why in words.
 bool write_image(OutputFile& out, const Image& image, Format format, Gamma gamma, Metadata metadata,
                  std::string& error, int jpeg_quality = kDefaultJpegQuality);

@@ -202,14 +202,16 @@ TEST(Options, FormatByOptionThenExtensionThenStdout) {
     EXPECT_EQ(parsed({"a.lrs", "-o", "a.PNG"}).format, image::Format::png);
     EXPECT_EQ(parsed({"a.lrs", "-o", "a.jpg"}).format, image::Format::jpg);
     EXPECT_EQ(parsed({"a.lrs", "-o", "a.jpeg"}).format, image::Format::jpg);
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.pfm"}).format, image::Format::pfm);
     EXPECT_EQ(parsed({"a.lrs", "-o", "a.png", "--format", "ppm"}).format, image::Format::ppm);
     EXPECT_EQ(parsed({"a.lrs", "-o", "-"}).format, image::Format::ppm);
     EXPECT_EQ(parsed({"a.lrs", "-o", "-", "--format", "png"}).format, image::Format::png);
     EXPECT_EQ(failed({"a.lrs", "-o", "a.gif"}).message, "no picture format is called `gif`");
     EXPECT_EQ(failed({"a.lrs", "-o", "a"}).message, "`a` has no extension that names a format");
-    EXPECT_NE(failed({"a.lrs", "-o", "a"}).help.find(".ppm, .png or .jpg"), std::string::npos);
+    EXPECT_NE(failed({"a.lrs", "-o", "a"}).help.find(".ppm, .png, .jpg or .pfm"),
+              std::string::npos);
     EXPECT_EQ(failed({"a.lrs", "-o", "a", "--format", "gif"}).message,
-              "`--format` takes ppm, png or jpg, not `gif`");
+              "`--format` takes ppm, png, jpg or pfm, not `gif`");
 }
 
 TEST(Options, AbbreviationsAreRefusedWithTheWholeName) {

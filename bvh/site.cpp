@@ -260,9 +260,7 @@ Site site_of_torus(const scene::Torus& torus, const PreparedRay& ray, const Hit&
     return site;
 }
 
-}  // namespace
-
-Site find_site(const scene::Geometry& geometry, const PreparedRay& ray, const Hit& hit) {
+Site site_of(const scene::Geometry& geometry, const PreparedRay& ray, const Hit& hit) {
     using enum scene::PrimitiveKind;
     const std::size_t index = hit.primitive_id.index();
     switch (hit.primitive_id.kind()) {
@@ -291,6 +289,14 @@ Site find_site(const scene::Geometry& geometry, const PreparedRay& ray, const Hi
             break;
     }
     LRAY_ASSERT(false);
+}
+
+}  // namespace
+
+Site find_site(const scene::Geometry& geometry, const PreparedRay& ray, const Hit& hit) {
+    Site site = site_of(geometry, ray, hit);
+    site.position_local = site.position;
+    return site;
 }
 
 }  // namespace lray::bvh

@@ -22,6 +22,7 @@ struct Site {
     double magnitude = 0.0;  // sum of the absolute terms of F, by which its rounding errors scale
     DVec3 position_error{};  // of the way to the position through instances
     double curvature = 0.0;  // bound on the normal curvatures, 1 / world unit
+    DVec3 position_local{};  // in the space of the geometry that holds the primitive
 };
 
 inline DVec3 absolute(DVec3 v) {

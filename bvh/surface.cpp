@@ -17,6 +17,13 @@ double length(DVec3 v) {
     return std::sqrt(dot(v, v));
 }
 
+/// Returns floats that are not less: the next one to the nearest, as which of the two the number
+/// lies between is not to be foreseen by a processor.
+Vec3 rounded_away(DVec3 positive) {
+    const Vec3 nearest{positive};
+    return {next_up(nearest.x), next_up(nearest.y), next_up(nearest.z)};
+}
+
 /// Brings a site from the space of a prototype to that of an instance.
 Site placed(const Site& site, const scene::AffineFrame& frame) {
     const DMat3 object_from_world{frame.object_from_world};
@@ -24,6 +31,7 @@ Site placed(const Site& site, const scene::AffineFrame& frame) {
     const DMat3 reach = absolute(world_from_object);
     const DVec3 origin{frame.origin};
     Site result;
+    result.position_local = site.position_local;
     const DVec3 offset = world_from_object * site.position;
     result.position = offset + origin;
     result.gradient = world_gradient(frame, site.gradient);
@@ -42,35 +50,25 @@ Site placed(const Site& site, const scene::AffineFrame& frame) {
     return result;
 }
 
-/// A site in the space of a geometry, and its position in that of the primitive's.
-struct PlacedSite {
-    Site site{};
-    DVec3 position_local{};
-};
-
-/// Shape: as deep as instances nest, kMaxInstanceDepth at most.
-PlacedSite find_placed_site(const scene::World& world, const scene::Geometry& geometry,
-                            scene::PlaceOffset place, const PreparedRay& ray, const Hit& hit) {
-    if (place == 0) {
-        const Site site = find_site(geometry, ray, hit);
-        return {site, site.position};
-    }
+/// Returns the site of a hit in the space of a geometry.
+/// Shape: recurs as deep as instances nest, kMaxInstanceDepth at most.
+Site find_placed_site(const scene::World& world, const scene::Geometry& geometry,
+                      scene::PlaceOffset place, const PreparedRay& ray, const Hit& hit) {
+    if (place == 0) return find_site(geometry, ray, hit);
     const scene::EnteredPlace entered = scene::enter(world, geometry, place);
     const scene::WorldInstance& instance = *entered.step.instance;
-    PlacedSite result =
-        find_placed_site(world, *entered.geometry, entered.place, set_out_in(instance, ray), hit);
-    result.site = placed(result.site, instance.frame);
-    return result;
+    return placed(
+        find_placed_site(world, *entered.geometry, entered.place, set_out_in(instance, ray), hit),
+        instance.frame);
 }
 
 }  // namespace
 
 SurfacePoint surface_at(const scene::World& world, const Ray& ray, const Hit& hit) {
     LRAY_ASSERT(!hit.is_none());
-    const auto [site, position_local] =
-        find_placed_site(world, world, hit.place, set_out(ray), hit);
-    const double slope = length(site.gradient);
-    const DVec3 normal = site.gradient * (1.0 / slope);
+    const Site site = find_placed_site(world, world, hit.place, set_out(ray), hit);
+    const double per_slope = 1.0 / length(site.gradient);
+    const DVec3 normal = site.gradient * per_slope;
 
     // Rounding the position to float: half an ulp per axis, and at least the least float.
     constexpr double kLeast = static_cast<double>(std::numeric_limits<float>::denorm_min());
@@ -83,11 +81,10 @@ SurfacePoint surface_at(const scene::World& world, const Ray& ray, const Hit& hi
     const double drift = 4.0 * (rounding.x + rounding.y + rounding.z);
     const double lift = std::min(site.curvature * drift * drift / 2.0, drift);
     const double along_normal =
-        (site.value + gamma<double>(kKernelOperations) * site.magnitude) / slope + lift;
+        (site.value + gamma<double>(kKernelOperations) * site.magnitude) * per_slope + lift;
 
     const DVec3 error = rounding + along_normal * absolute(normal);
-    return {Vec3{site.position}, Vec3{round_up(error.x), round_up(error.y), round_up(error.z)},
-            Vec3{normal}, position_local};
+    return {Vec3{site.position}, rounded_away(error), Vec3{normal}, site.position_local};
 }
 
 Vec3 offset_origin(Vec3 position, Vec3 error, Vec3 normal, Vec3 direction) {
@@ -99,8 +96,10 @@ Vec3 offset_origin(Vec3 position, Vec3 error, Vec3 normal, Vec3 direction) {
     // Rounded away from the surface.
     Vec3 result{};
     for (int axis = 0; axis < 3; ++axis) {
-        const double moved = static_cast<double>(position[axis]) + offset[axis];
-        result[axis] = offset[axis] > 0.0 ? round_up(moved) : round_down(moved);
+        const float moved = static_cast<float>(static_cast<double>(position[axis]) + offset[axis]);
+        result[axis] = offset[axis] > 0.0   ? next_up(moved)
+                       : offset[axis] < 0.0 ? next_down(moved)
+                                            : moved;
     }
     return result;
 }

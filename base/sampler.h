@@ -21,30 +21,35 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
     return __builtin_bswap32(x);
 }
 
-/// Owen's nested uniform scrambling of a number, its highest bit first.
+/// Owen's nested uniform scrambling of a number, its lowest bit first: each bit is flipped or not
+/// as the seed and the bits below it say.
 /// Source: Laine, Karras 2011, "Stratified Sampling for Stochastic Transparency", sec. 3.1, with
 /// the constants of Vegdahl 2021, "Building a Better LK Hash".
-constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
-    x = reverse_bits(x);
+constexpr std::uint32_t scramble_from_lowest(std::uint32_t x, std::uint32_t seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
     x *= (seed >> 16) | 1u;
     x ^= x * 0x05526c56u;
     x ^= x * 0x53a22864u;
-    return reverse_bits(x);
+    return x;
 }
 
-/// Returns the second coordinate of point `index` of the Sobol sequence, of which the first is
-/// reverse_bits(index), in steps of 2^-32: Pascal's triangle modulo 2 times the bits of the index.
-/// Source: Sobol 1967; the factors of the matrix as in Ahmed 2024, "An Implementation Algorithm of
-/// 2D Sobol Sequence Fast, Elegant, and Compact".
-constexpr std::uint32_t sobol_second(std::uint32_t index) {
+/// Likewise, its highest bit first.
+constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
+    return reverse_bits(scramble_from_lowest(reverse_bits(x), seed));
+}
+
+/// Returns the bits, in reverse, of the second coordinate of point `index` of the Sobol sequence,
+/// in steps of 2^-32; those of the first are the index itself. Pascal's triangle modulo 2 times the
+/// bits of the index. Source: Sobol 1967; the factors of the matrix as in Ahmed 2024, "An
+/// Implementation Algorithm of 2D Sobol Sequence Fast, Elegant, and Compact".
+constexpr std::uint32_t sobol_second_reversed(std::uint32_t index) {
     index ^= (index & 0xaaaaaaaau) >> 1;
     index ^= (index & 0xccccccccu) >> 2;
     index ^= (index & 0xf0f0f0f0u) >> 4;
     index ^= (index & 0xff00ff00u) >> 8;
     index ^= (index & 0xffff0000u) >> 16;
-    return reverse_bits(index);
+    return index;
 }
 
 /// One sample of one pixel. Decisions are told apart by their keys: any 64 bits.
@@ -79,9 +84,12 @@ struct PixelSample {
         if (kind == SamplerKind::random) return halves(mix_bits(key + place));
         const std::uint64_t more = mix_bits(key);
         const std::uint32_t shuffled = owen_scramble(place, static_cast<std::uint32_t>(key));
-        return numbers(
-            owen_scramble(reverse_bits(shuffled), static_cast<std::uint32_t>(more >> 32)),
-            owen_scramble(sobol_second(shuffled), static_cast<std::uint32_t>(more)));
+        // Both coordinates are at hand in reverse, as their scrambling takes them.
+        const auto seed_x = static_cast<std::uint32_t>(more >> 32);
+        const auto seed_y = static_cast<std::uint32_t>(more);
+        const std::uint32_t second = sobol_second_reversed(shuffled);
+        return numbers(reverse_bits(scramble_from_lowest(shuffled, seed_x)),
+                       reverse_bits(scramble_from_lowest(second, seed_y)));
     }
 
     static DVec2 halves(std::uint64_t bits) {

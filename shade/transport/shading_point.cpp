@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/place.h"
+#include "shade/material_normal.h"
 
 namespace lray::shade {
 
@@ -50,6 +51,17 @@ double uv_width(const bvh::SurfaceDetail& detail, double width) {
     return area > 0.0 ? width / std::sqrt(area) : 0.0;
 }
 
+/// The plane of the surface in the space of the shape. A normal is brought there as the plane that
+/// it stands on is: by the inverse transpose.
+DVec3 object_normal(const bvh::SurfaceDetail& detail, Vec3 normal) {
+    const DMat3& m = detail.object_from_world;
+    const DVec3 n{normal};
+    // The cofactors of the map, which has an inverse, up to a factor that does not matter.
+    const DVec3 across = cross(m[1], m[2]) * n.x + cross(m[2], m[0]) * n.y + cross(m[0], m[1]) * n.z;
+    const double length2 = dot(across, across);
+    return length2 > 0.0 ? across / std::sqrt(length2) : DVec3{0.0};
+}
+
 TexturePoint texture_point(const bvh::SurfacePoint& surface, const bvh::SurfaceDetail& detail,
                            float width) {
     const double world_width = static_cast<double>(width);
@@ -58,7 +70,9 @@ TexturePoint texture_point(const bvh::SurfacePoint& surface, const bvh::SurfaceD
             DVec3{surface.position},
             uv_width(detail, world_width),
             world_width * detail.object_per_world,
-            world_width};
+            world_width,
+            object_normal(detail, surface.normal),
+            DVec3{surface.normal}};
 }
 
 }  // namespace
@@ -72,14 +86,14 @@ ShadingPoint shading_point(const LitWorld& lit, const TransportRay& ray, const b
     Vec3 outward{};
     Vec3 along{0.0f};
     if (lit.materials.needs_detail(point.material_id)) {
-        const bvh::SurfaceDetail detail =
-            bvh::surface_detail(lit.world, ray.ray, hit, point.surface);
+        const bvh::SurfaceDetail detail = bvh::surface_detail(lit.world, hit, point.surface);
         const TexturePoint where =
             texture_point(point.surface, detail, ray.cone.width_at(hit.t));
         point.material = lit.materials.is_textured(point.material_id)
                              ? lit.materials.at(point.material_id, where)
                              : lit.materials.average(point.material_id);
-        outward = detail.shading_normal;
+        outward = material_normal(lit.materials.authored(point.material_id), detail,
+                                  point.surface.normal, where, lit.textures);
         along = detail.dp_du;
     } else {
         point.material = lit.materials.average(point.material_id);

@@ -177,15 +177,27 @@ std::unique_ptr<bvh::Accel> build_hierarchy(const scene::World& world, const Opt
     return accel;
 }
 
+std::unique_ptr<shade::LitWorld> prepare_light(const View& view, const scene::World& world,
+                                               const bvh::Accel& accel, const Options& options) {
+    std::unique_ptr<shade::LitWorld> lit;
+    if (view.render_options.shading.shader != shade::Shader::full) return lit;
+    render::with_threads(options.thread_count,
+                         [&] { lit = std::make_unique<shade::LitWorld>(world, accel); });
+    return lit;
+}
+
 render::RenderResult render_view(const View& view, const scene::World& world,
-                                 const bvh::Accel& accel, Progress& progress) {
+                                 const bvh::Accel& accel, const shade::LitWorld* lit,
+                                 Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     const auto on_progress = [&](const render::RenderProgress& done) {
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         print_message(progress.update(done, elapsed.count()));
     };
-    render::RenderResult result = render::render(world, accel, view.camera, view.render_options,
-                                                 on_progress, stop_requested());
+    render::RenderOptions options = view.render_options;
+    options.lit = lit;
+    render::RenderResult result =
+        render::render(world, accel, view.camera, options, on_progress, stop_requested());
     print_message(progress.finish());
     result.image = image::displayed(std::move(result.image), view.render_options.display);
     return result;

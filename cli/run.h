@@ -42,10 +42,15 @@ std::variant<OutputFile, Failure> open_output(const Options& options,
 std::unique_ptr<bvh::Accel> build_hierarchy(const scene::World& world, const Options& options,
                                             Progress& progress);
 
+/// Makes ready what full shading needs beside the hierarchy; none for other shadings.
+std::unique_ptr<shade::LitWorld> prepare_light(const View& view, const scene::World& world,
+                                               const bvh::Accel& accel, const Options& options);
+
 /// Renders with progress on stderr, until done or interrupted, and brings the picture to its
 /// display.
 render::RenderResult render_view(const View& view, const scene::World& world,
-                                 const bvh::Accel& accel, Progress& progress);
+                                 const bvh::Accel& accel, const shade::LitWorld* lit,
+                                 Progress& progress);
 
 /// Writes the picture, or what there is of it beside the output if it was interrupted, and says
 /// so.

@@ -77,7 +77,9 @@ std::optional<scene::EnvironmentLight> environment(
     const PropertyValues& values, const std::array<Span, kMaxProperties>& value_spans, Span span,
     FileLoader& files, scene::Scene& scene) {
     constexpr std::size_t kImage = slot(kEnvironment, "image");
+    constexpr std::size_t kSamples = slot(kEnvironment, "samples");
     scene::EnvironmentLight light;
+    light.samples = values.integer(kSamples);
     light.texture_id = values.texture(kImage);
     if (!values.has(kImage) || !light.texture_id.is_none()) return light;
     const Value& file = values[kImage];
@@ -103,7 +105,9 @@ std::optional<scene::LightShape> shape_of(const BlockSchema& schema, const Prope
     LRAY_ASSERT(schema.kind == BlockKind::directional_light);
     constexpr std::size_t kDirection = slot(kDirectionalLight, "direction");
     constexpr std::size_t kAngle = slot(kDirectionalLight, "angle");
-    return scene::DirectionalLight{unit(values.vec3(kDirection)), radians(values.number(kAngle))};
+    constexpr std::size_t kSamples = slot(kDirectionalLight, "samples");
+    return scene::DirectionalLight{unit(values.vec3(kDirection)), radians(values.number(kAngle)),
+                                   values.integer(kSamples)};
 }
 
 }  // namespace

@@ -277,11 +277,12 @@ inline constexpr std::array<PropertySchema, 10> kSpotLight = {{
     {"samples", integer, "1", "shadow rays to a ball", kLightSamples, {1}},
 }};
 
-inline constexpr std::array<PropertySchema, 4> kDirectionalLight = {{
+inline constexpr std::array<PropertySchema, 5> kDirectionalLight = {{
     {"direction", direction, "[0, 0, -1]", "the way the light goes; `look_at` turns it", kAnyNumber, {0, 0, -1}},
     {"color", color, "1", "its colour", kNotNegative, {1, 1, 1}},
     {"intensity", number, "1", "the light on a surface that faces it", kNotNegative, {1}},
     {"angle", angle, "0", "diameter of the sun as seen, degrees; more than 0: soft shadows", {0.0, 180.0}},
+    {"samples", integer, "1", "shadow rays to a sun that is wider than 0", kLightSamples, {1}},
 }};
 
 inline constexpr std::array<PropertySchema, 9> kAreaLight = {{
@@ -296,10 +297,11 @@ inline constexpr std::array<PropertySchema, 9> kAreaLight = {{
     {"samples", integer, "16", "shadow rays to it", kLightSamples, {16}},
 }};
 
-inline constexpr std::array<PropertySchema, 3> kEnvironment = {{
+inline constexpr std::array<PropertySchema, 4> kEnvironment = {{
     {"color", color, "1", "light from everywhere", kNotNegative, {1, 1, 1}, false, Form::first},
     or_texture({"image", file, "", "a picture of all around, as `panorama` makes it, or a texture", kAnyNumber, {}, false, Form::second}),
     {"intensity", number, "1", "times the colour or picture: its radiance", kNotNegative, {1}},
+    {"samples", integer, "16", "shadow rays to it", kLightSamples, {16}},
 }};
 
 inline constexpr std::array<BlockSchema, kBlockKindCount> kBlocks = {{

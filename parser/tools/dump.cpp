@@ -55,6 +55,7 @@ struct LightWriter {
     std::string_view operator()(const scene::DirectionalLight& sun) const {
         block.add("direction", sun.direction);
         block.add("angle", exact_angle(sun.angle));
+        if (sun.samples != 1) block.add("samples", fmt::to_string(sun.samples));
         return "directional_light";
     }
     std::string_view operator()(const scene::AreaLight& area) const {
@@ -66,6 +67,9 @@ struct LightWriter {
     }
     std::string_view operator()(const scene::EnvironmentLight& sky) const {
         if (!sky.texture_id.is_none()) block.add("image", surfaces.texture(sky.texture_id));
+        if (sky.samples != scene::EnvironmentLight{}.samples) {
+            block.add("samples", fmt::to_string(sky.samples));
+        }
         return "environment";
     }
 

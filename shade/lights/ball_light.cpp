@@ -108,8 +108,10 @@ std::optional<LightSample> BallLight::sample(DVec3 point, DVec2 u) const {
     const double along = dot(to_middle, wi);
     const DVec3 aside = to_middle - along * wi;
     const double depth = std::sqrt(std::max(area - dot(aside, aside), 0.0));
-    const double to_surface =
-        is_inside ? along + depth : (distance - radius) * (distance + radius) / (along + depth);
+    // Outside along is at least the root of distance^2 - radius^2, whatever rounding makes of it.
+    const double to_surface = is_inside ? std::max(along + depth, 0.0)
+                                        : (distance - radius) * (distance + radius) /
+                                              std::max(along + depth, distance - radius);
     // Of a quadratic one: radiance times solid angle / pi.
     light *= falloff == scene::Falloff::quadratic ? 2.0 * height_per_area
                                                   : fall(falloff, distance_squared);

@@ -22,6 +22,31 @@ float luminance(Color color) {
     return 0.2126f * color.r + 0.7152f * color.g + 0.0722f * color.b;
 }
 
+/// Returns each cell with a half of itself and a quarter of the cells beside it, along both axes:
+/// pictures are looked up between their pixels, so that a bright one shines into its neighbours.
+std::vector<float> smoothed(const std::vector<float>& cells, std::uint32_t width,
+                            std::uint32_t height) {
+    std::vector<float> along(cells.size());
+    for (std::size_t row = 0; row < height; ++row) {
+        const float* const from = cells.data() + row * width;
+        for (std::size_t i = 0; i < width; ++i) {
+            const float before = from[i == 0 ? width - 1 : i - 1];  // around the sky
+            const float after = from[i + 1 == width ? 0 : i + 1];
+            along[row * width + i] = 0.5f * from[i] + 0.25f * (before + after);
+        }
+    }
+    std::vector<float> result(cells.size());
+    for (std::size_t row = 0; row < height; ++row) {
+        const std::size_t below = row == 0 ? row : row - 1;
+        const std::size_t above = row + 1 == height ? row : row + 1;
+        for (std::size_t i = 0; i < width; ++i) {
+            result[row * width + i] = 0.5f * along[row * width + i] +
+                                      0.25f * (along[below * width + i] + along[above * width + i]);
+        }
+    }
+    return result;
+}
+
 /// Space: the light's.
 DVec3 direction_at(double longitude, double sin_latitude) {
     const float angle = static_cast<float>((longitude - 0.5) * kTurn);
@@ -60,7 +85,7 @@ Environment::SkyPoint Environment::sky_point(DVec3 direction) const {
 
 Color Environment::texture_color(const SkyPoint& at, DVec3 direction, double width) const {
     TexturePoint point;
-    point.uv = {at.longitude, at.latitude};
+    point.uv = {at.longitude, std::clamp(at.latitude, pole_, 1.0 - pole_)};
     point.object = at.direction_light;
     point.world = direction;
     point.uv_width = width;
@@ -83,8 +108,9 @@ void Environment::measure(const scene::World& world) {
     const scene::Texture& texture = world.textures[texture_id_.index()];
     if (const auto* image = std::get_if<scene::ImageTexture>(&texture.pattern)) {
         const image::CodedImage& pixels = world.pictures[image->picture_id.index()].pixels;
-        width = std::clamp(static_cast<std::uint32_t>(pixels.width), 1u, kMostColumns);
-        height = std::clamp(static_cast<std::uint32_t>(pixels.height), 1u, kMostRows);
+        width = std::clamp(pixels.width, 1u, kMostColumns);
+        height = std::clamp(pixels.height, 1u, kMostRows);
+        pole_ = 0.5 / std::max(static_cast<double>(pixels.height), 1.0);
     }
     std::vector<float> brightness;
     brightness.reserve(std::size_t{width} * height);
@@ -109,7 +135,7 @@ void Environment::measure(const scene::World& world) {
         low = high;
     }
     mean_ = Color(sum);
-    if (brightest > 0.0) distribution_.emplace(width, height, brightness);
+    if (brightest > 0.0) distribution_.emplace(width, height, smoothed(brightness, width, height));
 }
 
 std::optional<LightSample> Environment::sample(Vec3 normal, DVec2 u) const {

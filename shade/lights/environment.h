@@ -46,6 +46,10 @@ class Environment {
     DMat3 light_from_world_{1.0};
     DMat3 world_from_light_{1.0};
     double determinant_ = 1.0;  // of light_from_world_, without its sign
+    /// Textures are not looked up nearer to a pole, in latitude from 0 to 1: one that repeats
+    /// itself would show its other end there. Of pictures half a pixel; patterns begin anew up to
+    /// 1/1024 early.
+    double pole_ = 0x1p-9;
     std::optional<SkyDistribution> distribution_{};
 };
 

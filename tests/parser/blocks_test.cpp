@@ -215,7 +215,9 @@ TEST(Lights, DefaultsAreThoseOfTheScene) {
     EXPECT_EQ(area.edge_u, scene::AreaLight{}.edge_u);
     EXPECT_EQ(area.edge_v, scene::AreaLight{}.edge_v);
     EXPECT_EQ(area.samples, scene::AreaLight{}.samples);
+    EXPECT_EQ(light<scene::DirectionalLight>(scene, 2).samples, scene::DirectionalLight{}.samples);
     EXPECT_TRUE(light<scene::EnvironmentLight>(scene, 4).texture_id.is_none());
+    EXPECT_EQ(light<scene::EnvironmentLight>(scene, 4).samples, scene::EnvironmentLight{}.samples);
     for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_EQ(scene.lights[i].color, scene::Light{}.color) << i;
         EXPECT_EQ(scene.lights[i].intensity, i == 2 || i == 4 ? 1.0 : scene::Light{}.intensity);
@@ -228,9 +230,9 @@ TEST(Lights, PropertiesArriveInTheScene) {
         "radius: 0.5, samples: 4, casts_shadow: false }\n"
         "spot_light { position: [0, 4, 0], target: [0, 1, 0], angle: 90, softness: 1, "
         "falloff: \"linear\" }\n"
-        "directional_light { direction: [0, -2, 0], angle: 0.5 }\n"
+        "directional_light { direction: [0, -2, 0], angle: 0.5, samples: 3 }\n"
         "area_light { corner: [1, 0, 0], edge_u: [0, 0, 2], edge_v: [3, 0, 0], samples: 9 }\n"
-        "environment { image: \"p.ppm\", intensity: 0.5 }",
+        "environment { image: \"p.ppm\", intensity: 0.5, samples: 64 }",
         {{"p.ppm", kPicture}});
     const auto point = light<scene::PointLight>(scene, 0);
     EXPECT_EQ(point.position, DVec3(1, 2, 3));
@@ -250,11 +252,13 @@ TEST(Lights, PropertiesArriveInTheScene) {
     EXPECT_EQ(spot.falloff, scene::Falloff::linear);
     EXPECT_EQ(light<scene::DirectionalLight>(scene, 2).direction, DVec3(0, -1, 0));
     EXPECT_EQ(light<scene::DirectionalLight>(scene, 2).angle, radians(0.5));
+    EXPECT_EQ(light<scene::DirectionalLight>(scene, 2).samples, 3u);
     EXPECT_EQ(light<scene::AreaLight>(scene, 3).edge_u, DVec3(0, 0, 2));
     EXPECT_EQ(light<scene::AreaLight>(scene, 3).samples, 9u);
     const auto environment = light<scene::EnvironmentLight>(scene, 4);
     ASSERT_EQ(environment.texture_id, scene::TextureId(0u));
     EXPECT_EQ(scene.textures[0].space, scene::TextureSpace::uv);
+    EXPECT_EQ(environment.samples, 64u);
     EXPECT_EQ(scene.lights[4].intensity, 0.5);
 }
 

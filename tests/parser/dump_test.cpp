@@ -118,9 +118,9 @@ cylinder { radius: 0.3, radius_to: 0.7, caps: false, transform: [rotation([1, 2,
 point_light { position: [1, 2, 3], color: kelvin(3000), radius: 0.1, samples: 4 }
 let lamp = spot_light { position: [0, 5, 0], target: [1, 0, 0.3], angle: 33.3, falloff: "none" }
 group { lamp { rotate_y: 20 } lamp { translate: [1, 0, 0] } }
-directional_light { direction: [-1, -2, -3], angle: 0.53 }
+directional_light { direction: [-1, -2, -3], angle: 0.53, samples: 8 }
 area_light { center: [0, 4, 0], size: [1, 2], normal: [0.1, -1, 0], rotate_y: 12 }
-environment { image: ramp { stops: [[-1, #123456], [0.2, white], [1, [0.3, 0.4, 0.5]]] }, intensity: 0.3 }
+environment { image: ramp { stops: [[-1, #123456], [0.2, white], [1, [0.3, 0.4, 0.5]]] }, intensity: 0.3, samples: 5 }
 )";
 
 TEST(Dump, ExamplesAreTheSameToTheBit) {

@@ -144,12 +144,12 @@ class WorldWriter {
             out_.add_all(spot->position, spot->direction, spot->angle, spot->softness, spot->radius,
                          spot->samples, static_cast<std::uint32_t>(spot->falloff));
         } else if (const auto* sun = std::get_if<scene::DirectionalLight>(&light.light.shape)) {
-            out_.add_all(sun->direction, sun->angle);
+            out_.add_all(sun->direction, sun->angle, sun->samples);
         } else if (const auto* area = std::get_if<scene::AreaLight>(&light.light.shape)) {
             out_.add_all(area->corner, area->edge_u, area->edge_v, area->samples);
         } else {
             const auto& sky = std::get<scene::EnvironmentLight>(light.light.shape);
-            out_.add(sky.light_from_world);
+            out_.add_all(sky.light_from_world, sky.samples);
             add_texture(sky.texture_id);
         }
     }

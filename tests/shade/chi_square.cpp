@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t kBinsZ = 24;
 constexpr std::size_t kBinsTurn = 32;
-constexpr std::size_t kPointsPerSide = 12;  // of the quadrature in a bin
 constexpr std::size_t kSamples = 200'000;
 constexpr double kLeastExpected = 8.0;  // bins with less are one bin
 
@@ -31,19 +30,20 @@ double chi_square_probability(const DirectionSampler& sampler, const DirectionDe
     const double extent = window.high_z - window.low_z;
     std::vector<double> expected;
     double inside = 0.0;
-    constexpr double kPoints = kPointsPerSide;
+    const auto side = static_cast<std::size_t>(window.points_per_side);
+    const double points = window.points_per_side;
     for (std::size_t i = 0; i < kBinsZ; ++i) {
         for (std::size_t j = 0; j < kBinsTurn; ++j) {
             double sum = 0.0;
-            for (std::size_t k = 0; k < kPointsPerSide * kPointsPerSide; ++k) {
-                const double a = (static_cast<double>(k / kPointsPerSide) + 0.5) / kPoints;
-                const double b = (static_cast<double>(k % kPointsPerSide) + 0.5) / kPoints;
+            for (std::size_t k = 0; k < side * side; ++k) {
+                const double a = (static_cast<double>(k / side) + 0.5) / points;
+                const double b = (static_cast<double>(k % side) + 0.5) / points;
                 const double z = window.low_z + extent * (static_cast<double>(i) + a) / kBinsZ;
                 sum += density(direction_at(z, (static_cast<double>(j) + b) / kBinsTurn));
             }
             const double bin_solid_angle =
                 2.0 * std::numbers::pi * extent / static_cast<double>(kBinsZ * kBinsTurn);
-            const double probability = sum / (kPoints * kPoints) * bin_solid_angle;
+            const double probability = sum / (points * points) * bin_solid_angle;
             inside += probability;
             expected.push_back(probability * kSamples);
         }

@@ -14,8 +14,8 @@ constexpr double kPi = std::numbers::pi;
 /// From within this many diagonals of the middle directions are chosen by solid angle: farther away
 /// cos / d^2 of its points, which is what varies otherwise, differs by less than a factor of 2.
 constexpr double kNearDiagonals = 1.5;
-/// And only where the solid angle is known to 1e-5.
-constexpr double kLeastSolidAngle = 0.05;
+/// And only where it fills this much of what is seen: a sliver from beside it is not worth it.
+constexpr double kLeastSolidAngle = 0.01;
 
 /// Returns the rectangle from a point where its directions are chosen by solid angle.
 std::optional<SphericalRectangle> near_rectangle(const AreaLight& light, DVec3 to_corner,
@@ -26,10 +26,8 @@ std::optional<SphericalRectangle> near_rectangle(const AreaLight& light, DVec3 t
     if (dot(to_middle, to_middle) > kNearDiagonals * kNearDiagonals * dot(diagonal, diagonal)) {
         return std::nullopt;
     }
-    const DVec2 length{glm::length(light.edge_u), glm::length(light.edge_v)};
-    const DVec2 low{dot(to_corner, light.edge_u) / length.x,
-                    dot(to_corner, light.edge_v) / length.y};
-    const auto rectangle = SphericalRectangle::of(low, low + length, height);
+    const DVec2 low{dot(to_corner, light.x), dot(to_corner, light.y)};
+    const auto rectangle = SphericalRectangle::of(low, low + light.length, height);
     if (!(rectangle.solid_angle > kLeastSolidAngle)) return std::nullopt;
     return rectangle;
 }
@@ -47,6 +45,9 @@ AreaLight AreaLight::of(const scene::AreaLight& light, Color color, double inten
     area.normal = across / area.area;
     area.u_of = cross(light.edge_v, area.normal) / area.area;
     area.v_of = cross(area.normal, light.edge_u) / area.area;
+    area.length = {glm::length(light.edge_u), glm::length(light.edge_v)};
+    area.x = light.edge_u / area.length.x;
+    area.y = light.edge_v / area.length.y;
     area.intensity = intensity;
     area.color = color;
     area.radiance = light_color(color, intensity / area.area);
@@ -71,8 +72,7 @@ std::optional<LightSample> AreaLight::sample(DVec3 point, DVec2 u) const {
     const auto rectangle = near_rectangle(*this, to_corner, height);
     if (rectangle) {
         const DVec2 p = rectangle->point(u);
-        const DVec3 to_light =
-            p.x * glm::normalize(edge_u) + p.y * glm::normalize(edge_v) - height * normal;
+        const DVec3 to_light = p.x * x + p.y * y - height * normal;
         const double distance = glm::length(to_light);
         const float density = is_met ? finite_float(1.0 / rectangle->solid_angle) : 0.0f;
         return LightSample{Vec3(to_light / distance), shadow_distance(distance),

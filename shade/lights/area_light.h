@@ -32,6 +32,9 @@ struct AreaLight {
     DVec3 normal{0.0, -1.0, 0.0};  // unit; the side that shines
     DVec3 u_of{0.0};               // u of a point is dot(u_of, point - corner)
     DVec3 v_of{0.0};
+    DVec3 x{1.0, 0.0, 0.0};  // the edges, unit
+    DVec3 y{0.0, 0.0, 1.0};
+    DVec2 length{1.0};  // and how long they are
     double area = 1.0;
     double intensity = 0.0;
     Color color{1.0f};

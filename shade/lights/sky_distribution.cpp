@@ -27,7 +27,7 @@ std::uint32_t part_of(std::span<const Float> sums, double u) {
 
 SkyDistribution::SkyDistribution(std::uint32_t width, std::uint32_t height,
                                  std::span<const float> brightness)
-    : width_(width), height_(height) {
+    : width_(width) {
     LRAY_ASSERT(width > 0 && height > 0 && brightness.size() == std::size_t{width} * height);
     latitudes_.reserve(height + 1);
     for (std::uint32_t row = 0; row <= height; ++row) {

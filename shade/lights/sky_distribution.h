@@ -32,7 +32,6 @@ class SkyDistribution {
     double density(std::uint32_t row, std::uint32_t column) const;
 
     std::uint32_t width_ = 0;
-    std::uint32_t height_ = 0;
     std::vector<double> latitudes_{};  // sines, at the borders of rows: height + 1
     std::vector<double> rows_{};       // probability of the rows before: height + 1
     std::vector<float> columns_{};     // likewise of the cells of each row: height x (width + 1)

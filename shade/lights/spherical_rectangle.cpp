@@ -8,12 +8,22 @@ namespace lray::shade {
 
 namespace {
 
-/// The angle at a corner between the planes of its sides through the origin, which is acos(n0.n1)
-/// of the source; without their normals, by the tangent.
-double corner_angle(double x, double y, double sign, double height) {
-    const double across = height * std::sqrt(x * x + y * y + height * height);
-    return static_cast<double>(
-        std::atan2(static_cast<float>(across), static_cast<float>(sign * x * y)));
+/// A number of the plane whose angle to the x axis is the angle at a corner between the planes of
+/// its sides through the origin, acos(n0.n1) of the source: without roots for the normals, and
+/// angles are added by multiplying.
+DVec2 corner_turn(double x, double y, double sign, double height) {
+    return {sign * x * y, height * std::sqrt(x * x + y * y + height * height)};
+}
+
+DVec2 times(DVec2 a, DVec2 b) {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+
+/// In [0, 2 pi).
+double angle_of(DVec2 turn) {
+    const double angle =
+        static_cast<double>(std::atan2(static_cast<float>(turn.y), static_cast<float>(turn.x)));
+    return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
 }
 
 }  // namespace
@@ -23,12 +33,16 @@ SphericalRectangle SphericalRectangle::of(DVec2 low, DVec2 high, double height) 
     r.low = low;
     r.high = high;
     r.height = height;
-    const double g0 = corner_angle(high.x, low.y, 1.0, height);
-    const double g1 = corner_angle(high.x, high.y, -1.0, height);
-    const double g2 = corner_angle(low.x, high.y, 1.0, height);
-    const double g3 = corner_angle(low.x, low.y, -1.0, height);
-    r.angle = 2.0 * std::numbers::pi - g2 - g3;
-    r.solid_angle = g0 + g1 - r.angle;
+    // Units in which the farthest corner is 1: squares and their products are floats.
+    const double unit =
+        1.0 / (std::max({-low.x, high.x, -low.y, high.y, high.x - low.x, high.y - low.y}) + height);
+    const DVec2 a = low * unit;
+    const DVec2 b = high * unit;
+    const double h = height * unit;
+    const DVec2 g0_g1 = times(corner_turn(b.x, a.y, 1.0, h), corner_turn(b.x, b.y, -1.0, h));
+    const DVec2 g2_g3 = times(corner_turn(a.x, b.y, 1.0, h), corner_turn(a.x, a.y, -1.0, h));
+    r.angle = angle_of({g2_g3.x, -g2_g3.y});        // 2 pi - g2 - g3
+    r.solid_angle = angle_of(times(g0_g1, g2_g3));  // g0 + g1 + g2 + g3 - 2 pi
     r.side_low = -low.y / std::sqrt(height * height + low.y * low.y);
     r.side_high = high.y / std::sqrt(height * height + high.y * high.y);
     return r;

@@ -6,7 +6,7 @@
 namespace lray::shade {
 
 /// Space: the point is the origin, the sides of the rectangle run along x and y, and it lies in the
-/// plane z = -height. Angles are floats: the solid angle is off by 5e-7 at most.
+/// plane z = -height. Angles are floats: the solid angle is off by 2e-7 of it.
 /// Source: Urena, Fajardo, King 2013, "An Area-Preserving Parametrization for Spherical
 /// Rectangles".
 struct SphericalRectangle {

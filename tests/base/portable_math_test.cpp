@@ -57,5 +57,17 @@ TEST(PortableMath, LogarithmIsThatOfTheLibrary) {
     EXPECT_NEAR(natural_logarithm(std::numeric_limits<double>::max()), 709.782712893384, 1e-12);
 }
 
+TEST(PortableMath, ExponentialIsThatOfTheLibrary) {
+    for (int i = -70'000; i <= 70'000; ++i) {
+        const double x = i / 100.0 + i * 1e-9;
+        EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 1e-15) << x;
+    }
+    for (const double x : {1e-300, 1e-17, 1e-9, 0.3465735, 0.3465736, -1e-9}) {
+        EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 1e-15) << x;
+    }
+    EXPECT_EQ(exponential(0.0), 1.0);
+    EXPECT_EQ(exponential(-0.0), 1.0);
+}
+
 }  // namespace
 }  // namespace lray

@@ -13,7 +13,7 @@ namespace lray::test {
 struct SphereWindow {
     double low_z = -1.0;
     double high_z = 1.0;
-    int points_per_side = 12;  // of the quadrature in a bin: many where the density has edges
+    int points_per_side = 32;  // of the quadrature in a bin: more where the density has edges
 };
 
 /// Chooses directions with random numbers: none where the choice came to nothing.

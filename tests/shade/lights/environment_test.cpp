@@ -111,7 +111,7 @@ TEST(Environment, OfOneColourEachSampleIsExactButForShadows) {
 TEST(Environment, OfOneColourDirectionsFollowTheCosine) {
     const scene::World world;
     const TextureSet textures(world);
-    expect_right_density(Environment(world, textures, {}, Color{1.0f}, 1.0, true), 12);
+    expect_right_density(Environment(world, textures, {}, Color{1.0f}, 1.0, true), 32);
 }
 
 TEST(Environment, PictureIsWrappedAroundTheYAxisItsMiddleTowardsMinusZ) {
@@ -166,7 +166,7 @@ TEST(Environment, DensityOfPicturesIsTheOneSaid) {
     expect_right_density(
         Sky(image, scene::TextureSpace::uv, turned_and_stretched(), pictures).environment, 40);
     expect_right_density(Sky(ramp_along(scene::Axis::y), scene::TextureSpace::object).environment,
-                         12);
+                         32);
 }
 
 TEST(Environment, BrightSpotsAreChosenMoreOften) {

@@ -19,7 +19,8 @@ constexpr const char* kWrongScene =
     "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n"
     "sphere { radios: 1 }\n";
 
-constexpr const char* kSceneWithoutCamera = "sphere { radius: 1 }\n";
+constexpr const char* kSceneWithoutCamera =
+    "point_light { position: [2, 5, 5] }; sphere { radius: 1 }\n";
 
 class EndToEnd : public LrayTest {};
 

@@ -15,9 +15,8 @@ namespace lray {
 
 /// A sphere in the middle of 64 x 48 pixels, and a light.
 inline constexpr const char* kScene =
-    "render { resolution: [64, 48] }\n"
+    "render { resolution: [64, 48] }; point_light { position: [2, 5, 5] }\n"
     "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n"
-    "point_light { position: [2, 5, 5] }\n"
     "sphere { radius: 1 }\n";
 
 inline bool contains(const std::string& text, std::string_view part) {

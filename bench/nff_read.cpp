@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "base/bounds.h"
-
 namespace lray::bench {
 
 namespace {

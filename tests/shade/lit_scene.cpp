@@ -26,7 +26,9 @@ LitScene::LitScene(std::string_view text, bvh::AccelKind kind) {
     if (scene_) world_ = scene::flatten(*scene_, {}, diagnostics_);
     if (!world_) {
         std::string messages;
-        for (const Diagnostic& diagnostic : diagnostics_.all()) messages += diagnostic.message + "\n";
+        for (const Diagnostic* diagnostic : diagnostics_.sorted()) {
+            messages += diagnostic->message + "\n";
+        }
         throw std::runtime_error("a scene of a test is wrong: " + messages);
     }
     accel_ = bvh::build(*world_, {.kind = kind});

@@ -93,7 +93,7 @@ class Directions : public testing::Test {
         }
     }
 
-    Random random_{17};
+    test::Random random_{17};
 };
 
 TEST_F(Directions, RefractedKeepsSnellsLawAndThePlane) {

@@ -23,7 +23,7 @@ TEST(SampleSum, OneContributionComesBack) {
 }
 
 TEST(SampleSum, OrderDoesNotMatter) {
-    Random random(5);
+    test::Random random(5);
     std::vector<Color> colors;
     for (int i = 0; i < 200; ++i) {
         const double size = std::pow(10.0, random.uniform(-8.0, 8.0));

@@ -49,4 +49,10 @@ constexpr float round_down(double x) {
     return -round_up(-x);
 }
 
+/// Returns the nearest whole number; halves, and the numbers next to one half, away from 0.
+/// Shape: |x| < 2^62.
+constexpr std::int64_t nearest_whole(double x) {
+    return static_cast<std::int64_t>(x < 0.0 ? x - 0.5 : x + 0.5);
+}
+
 }  // namespace lray

@@ -127,6 +127,27 @@ std::string tests_text(const bvh::TraceCounts& counts) {
                        ratio(counts.instance_tests, counts.rays));
 }
 
+/// What full shading sends after the rays of the camera; nothing of other shadings.
+std::string light_text(const shade::LightCounts& light) {
+    std::string text;
+    if (light.onward.rays > 0) {
+        text += line("onward", fmt::format("{} rays reflected or let through; {}",
+                                           light.onward.rays, tests_text(light.onward)));
+    }
+    if (light.shadow.rays > 0) {
+        text += line("shadow", fmt::format("{} rays to lights; {}", light.shadow.rays,
+                                           tests_text(light.shadow)));
+    }
+    return text;
+}
+
+void write_counts(JsonWriter& json, std::string_view name, const bvh::TraceCounts& counts) {
+    json.key(name).begin_object();
+    json.member("count", counts.rays).member("node_tests", counts.node_tests);
+    json.member("primitive_tests", counts.primitive_tests);
+    json.member("instance_tests", counts.instance_tests).end_object();
+}
+
 }  // namespace
 
 double Stopwatch::lap() {
@@ -142,7 +163,7 @@ std::string format_stats(const RenderReport& report) {
     return line("primitives", primitives_text(report.world)) +
            line("hierarchy", hierarchy_text(report)) + line("picture", picture_text(report)) +
            line("rays", fmt::format("{} primary", result.primary.rays)) +
-           line("tests", tests_text(result.primary)) +
+           line("tests", tests_text(result.primary)) + light_text(result.light) +
            line("samples", fmt::format("{} clamped, {} not a number", result.samples.clamped,
                                        result.samples.nan)) +
            line("seconds",
@@ -183,10 +204,11 @@ std::string format_stats_json(const RenderReport& report) {
     json.member("samples_taken", result.sample_count);
     json.key("samples_per_pixel").decimal(mean_samples(report));
     json.member("converged_pixels", result.converged_pixels).end_object();
-    json.key("rays").begin_object().key("primary").begin_object();
-    json.member("count", result.primary.rays).member("node_tests", result.primary.node_tests);
-    json.member("primitive_tests", result.primary.primitive_tests);
-    json.member("instance_tests", result.primary.instance_tests).end_object().end_object();
+    json.key("rays").begin_object();
+    write_counts(json, "primary", result.primary);
+    write_counts(json, "onward", result.light.onward);
+    write_counts(json, "shadow", result.light.shadow);
+    json.end_object();
     json.member("clamped", result.samples.clamped).member("not_a_number", result.samples.nan);
     json.key("seconds").begin_object().key("parse").decimal(report.times.load);
     json.key("flatten").decimal(report.times.flatten).key("build").decimal(report.times.build);

@@ -18,6 +18,11 @@ DVec3 unit(DVec3 v) {
     return scaled / std::sqrt(dot(scaled, scaled));
 }
 
+/// Likewise, of what is neither short nor long.
+DVec3 unit_of_usual(DVec3 v) {
+    return v * (1.0 / std::sqrt(dot(v, v)));
+}
+
 /// The axis along which v is shortest.
 DVec3 farthest_axis(DVec3 v) {
     const DVec3 size{std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
@@ -124,7 +129,7 @@ Ray CameraRays::through(DVec2 position_pixel, DVec2 lens) const {
     const DVec3 aside = offset(position_pixel);
     const DVec3 origin = is_perspective ? position_ : position_ + aside;
     const DVec3 way = is_perspective ? frame_.forward + aside : frame_.forward;
-    if (!has_lens()) return {Vec3(origin), Vec3(is_perspective ? unit(way) : way)};
+    if (!has_lens()) return {Vec3(origin), Vec3(is_perspective ? unit_of_usual(way) : way)};
     const DVec2 point = lens_radius_ * disk_point(lens);
     const DVec3 lens_point = point.x * frame_.right + point.y * frame_.up;
     return {Vec3(origin + lens_point), Vec3(towards_focus(way, lens_point))};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numerics.h"
+
 namespace lray::render {
 
 namespace {
@@ -37,7 +39,7 @@ void Film::add(std::uint32_t x, std::uint32_t y, Color sample) {
     for (int channel = 0; channel < 3; ++channel) {
         const float value = std::clamp(sample[channel], -kMaxValue, kMaxValue);
         is_clamped = is_clamped || value != sample[channel];
-        const std::int64_t steps = std::llrint(static_cast<double>(value) * kOne);  // exact product
+        const std::int64_t steps = nearest_whole(static_cast<double>(value) * kOne);  // exact product
         target.sum[channel] += steps;
         if (squares_.empty()) continue;
         const Wide size = static_cast<std::uint64_t>(steps < 0 ? -steps : steps);
@@ -49,10 +51,10 @@ void Film::add(std::uint32_t x, std::uint32_t y, Color sample) {
 Color Film::resolve(std::uint32_t x, std::uint32_t y) const {
     const Pixel& source = pixel(x, y);
     if (source.sample_count == 0) return Color{0.0f};
-    const double scale = kOne * source.sample_count;  // exact
+    const double scale = 1.0 / (kOne * source.sample_count);  // of one sample exact
     Color mean{0.0f};
     for (int channel = 0; channel < 3; ++channel) {
-        mean[channel] = static_cast<float>(static_cast<double>(source.sum[channel]) / scale);
+        mean[channel] = static_cast<float>(static_cast<double>(source.sum[channel]) * scale);
     }
     return mean;
 }

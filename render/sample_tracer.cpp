@@ -100,6 +100,7 @@ Ray SampleTracer::camera_ray(std::uint32_t x, std::uint32_t y, const PixelSample
 }
 
 shade::RayCone SampleTracer::pixel_cone(std::uint32_t x, std::uint32_t y) const {
+    if (options_.lit == nullptr || !options_.lit->materials.has_textures()) return {};
     const PixelCone cone = rays_.cone(DVec2{x, y} + DVec2{0.5});
     return {static_cast<float>(cone.width_at_origin), static_cast<float>(cone.spread)};
 }

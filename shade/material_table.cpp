@@ -37,7 +37,7 @@ MaterialPoint point_of(const Material& material, LookUp look_up) {
     return point;
 }
 
-bool has_textures(const Material& material) {
+bool looks_textures_up(const Material& material) {
     bool is_found = false;
     point_of(material, [&](const auto& coefficient) {
         is_found = is_found || coefficient.is_textured();
@@ -81,10 +81,12 @@ MaterialTable::MaterialTable(const scene::World& world, const TextureSet& textur
         entry.authored = &material;
         entry.average =
             point_of(material, [](const auto& coefficient) { return coefficient.constant; });
-        entry.is_textured = has_textures(material);
+        entry.is_textured = looks_textures_up(material);
         entry.needs_detail = entry.is_textured || has_direction(material) ||
                              !material.bump_id.is_none() || !material.normal_map_id.is_none();
         materials_.push_back(entry);
+        has_textures_ = has_textures_ || entry.is_textured || !material.bump_id.is_none() ||
+                        !material.normal_map_id.is_none();
         has_transmission_ = has_transmission_ || material.transmit.is_textured() ||
                             material.transmit.constant != Color{0.0f};
         has_cut_outs_ =

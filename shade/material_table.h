@@ -37,6 +37,8 @@ class MaterialTable {
 
     /// True if some material lets light through (transmit).
     bool has_transmission() const { return has_transmission_; }
+    /// True if some material looks textures up: then it matters how wide rays are.
+    bool has_textures() const { return has_textures_; }
     /// True if some material has holes (opacity).
     bool has_cut_outs() const { return has_cut_outs_; }
 
@@ -50,6 +52,7 @@ class MaterialTable {
 
     const TextureSet& textures_;
     std::vector<Entry> materials_{};
+    bool has_textures_ = false;
     bool has_transmission_ = false;
     bool has_cut_outs_ = false;
 };

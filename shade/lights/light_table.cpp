@@ -57,18 +57,21 @@ void LightTable::add(const scene::WorldLight& light, const scene::World& world,
         suns_.push_back(SunLight::of(*sun, color, intensity));
         entry.kind = Kind::sun;
         entry.index = index(suns_);
-        entry.sample_count = suns_.back().height > 0.0 ? sun->samples : 1;
+        entry.has_extent = suns_.back().height > 0.0;
+        entry.sample_count = entry.has_extent ? sun->samples : 1;
         entry.luminance = mean(suns_.back().irradiance);
     } else if (const auto* point = std::get_if<scene::PointLight>(&light.light.shape)) {
         balls_.push_back(BallLight::of(*point, color, intensity, light.visible));
         entry.index = index(balls_);
-        entry.sample_count = point->radius > 0.0 ? point->samples : 1;
+        entry.has_extent = point->radius > 0.0;
+        entry.sample_count = entry.has_extent ? point->samples : 1;
         is_met = balls_.back().is_met;
     } else {
         const auto& spot = std::get<scene::SpotLight>(light.light.shape);
         balls_.push_back(BallLight::of(spot, color, intensity));
         entry.index = index(balls_);
-        entry.sample_count = spot.radius > 0.0 ? spot.samples : 1;
+        entry.has_extent = spot.radius > 0.0;
+        entry.sample_count = entry.has_extent ? spot.samples : 1;
     }
     if (is_met) met_.push_back(count());
     entries_.push_back(entry);

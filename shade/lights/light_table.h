@@ -29,6 +29,9 @@ class LightTable {
     /// Of an environment, a ball, a sun and an area; 1 of lights without extent.
     std::uint32_t sample_count(std::uint32_t light) const { return entries_[light].sample_count; }
 
+    /// True if sample() depends on u.
+    bool has_extent(std::uint32_t light) const { return entries_[light].has_extent; }
+
     /// Returns light that arrives at a point by the light's sample u, uniform in [0, 1)^2.
     /// Space: world; `normal` is unit, on the side of the surface that is lit: by it directions of
     /// an even environment are chosen, which for light from below it is empty.
@@ -68,6 +71,7 @@ class LightTable {
     struct Entry {
         Kind kind = Kind::ball;
         bool casts_shadow = true;
+        bool has_extent = true;
         std::uint32_t index = 0;  // among those of its kind
         std::uint32_t sample_count = 1;
         float luminance = 1.0f;  // of its colour

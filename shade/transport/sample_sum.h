@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/numerics.h"
 #include "base/vec.h"
 
 namespace lray::shade {
@@ -22,7 +23,7 @@ class SampleSum {
                 continue;
             }
             const double steps = std::clamp(value, 0.0, kMaxValue) * kOne;
-            sum_[channel] = std::min(sum_[channel] + std::llrint(steps), kMaxSum);
+            sum_[channel] = std::min(sum_[channel] + nearest_whole(steps), kMaxSum);
         }
     }
 
@@ -39,9 +40,9 @@ class SampleSum {
  private:
     static constexpr double kOne = 0x1p32;
     static constexpr double kMaxValue = 0x1p29;
-    static constexpr long long kMaxSum = 1LL << 62;
+    static constexpr std::int64_t kMaxSum = std::int64_t{1} << 62;
 
-    long long sum_[3] = {0, 0, 0};
+    std::int64_t sum_[3] = {0, 0, 0};
     bool is_nan_ = false;
 };
 

@@ -15,6 +15,7 @@ class DirectLight {
         for (std::size_t i = 0; i < wave.count; ++i) {
             const ShadingPoint& point = wave.points[i];
             wo_[i] = point.local(point.wo);
+            origins_[i] = point.leaving(point.wo).origin;  // on the side of all lights
             sums_[i] = Color{0.0f};
             is_lit_[i] = point.is_outside || point.material.two_sided;
         }
@@ -39,16 +40,19 @@ class DirectLight {
                     std::uint32_t sample_count) {
         const ShadingPoint& point = wave_.points[i];
         const TransportRay& ray = wave_.rays[i];
-        const DVec2 u = context_.sample_of(ray).pair(ray.decision(kLightPoint, light), part,
-                                                     sample_count);
+        const LightTable& lights = context_.lit.lights;
+        const DVec2 u = lights.has_extent(light)
+                            ? context_.sample_of(ray).pair(ray.decision(kLightPoint, light), part,
+                                                           sample_count)
+                            : DVec2{0.0};
         const std::optional<LightSample> sample =
-            context_.lit.lights.sample(light, DVec3{point.surface.position}, point.normal, u);
+            lights.sample(light, DVec3{point.surface.position}, point.normal, u);
         if (!sample || !point.is_before(sample->wi)) return;
         const Color bright = sample->irradiance / static_cast<float>(sample_count) *
                              reflected(point.material, point.local(sample->wi), wo_[i]);
         if (bright == Color{0.0f}) return;
-        if (context_.lit.lights.casts_shadow(light)) {
-            shadows_.add(point.leaving(sample->wi), sample->distance, i, bright);
+        if (lights.casts_shadow(light)) {
+            shadows_.add({origins_[i], sample->wi}, sample->distance, i, bright);
         } else {
             sums_[i] += bright;
         }
@@ -58,6 +62,7 @@ class DirectLight {
     const Wave& wave_;
     ShadowWave shadows_;
     std::array<Vec3, kMaxWaveSize> wo_;
+    std::array<Vec3, kMaxWaveSize> origins_;
     std::array<Color, kMaxWaveSize> sums_;
     std::array<bool, kMaxWaveSize> is_lit_;
 };

@@ -302,7 +302,7 @@ TEST_F(RenderTest, NoiseGivesEachPixelThePowerOfTwoThatItNeeds) {
     for (std::uint32_t y = 0; y < 67; ++y) {
         for (std::uint32_t x = 0; x < 101; ++x) {
             Film film(1, 1, Film::Keeps::squares);
-            bvh::TraceCounts counts;
+            RayCounts counts;
             std::uint32_t done = 0;
             for (std::uint32_t next = kFirstNoiseCheck; next <= kMax; next *= 2) {
                 const std::array<FilmPlace, 1> place{{{0, 0}}};

@@ -55,7 +55,7 @@ class SampleTracerTest : public testing::Test {
         const auto accel = bvh::build(world_, {.kind = bvh::AccelKind::none});
         const SampleTracer tracer(world_, *accel, camera_, options_);
         Film film(part.width(), part.height());
-        bvh::TraceCounts counts;
+        RayCounts counts;
         const std::atomic<bool> cancel{false};
         for (const SampleRange range : ranges) {
             EXPECT_EQ(tracer.add_samples(part, all_of(part), range, film, counts, cancel),
@@ -141,11 +141,11 @@ TEST_F(SampleTracerTest, CancelledTracesNothing) {
     const auto accel = bvh::build(world_, {.kind = bvh::AccelKind::none});
     const SampleTracer tracer(world_, *accel, camera_, options_);
     Film film(4, 4);
-    bvh::TraceCounts counts;
+    RayCounts counts;
     const std::atomic<bool> cancel{true};
     const PixelRect part{0, 0, 4, 4};
     EXPECT_EQ(tracer.add_samples(part, all_of(part), {0, 3}, film, counts, cancel), 0u);
-    EXPECT_EQ(counts.rays, 0u);
+    EXPECT_EQ(counts.primary.rays, 0u);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(BlinnPhong, SharpestHighlightIsAsTheFormulaSays) {
 }
 
 TEST(BlinnPhong, FloorIsAsTheFormulaSaysNearAndFar) {
-    const std::vector<Lamp> lamps{{{0.0, 0.5, 0.0}, 3.0}, {{100.0, 2.0, 0.0}, 1e4}};
+    const std::vector<Lamp> lamps{{{0.0, 0.5, 0.0}, 3.0}, {{100.0, 2.0, 0.0}, 100.0}};
     const Matter matter{0.5, 0.5, 64.0};
     const LitScene scene(text_of(lamps, true) + "plane { " + text_of(matter) + " }");
     const DVec3 eye{0.0, 2.0, 5.0};

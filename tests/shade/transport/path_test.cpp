@@ -47,7 +47,7 @@ TEST(Path, FurnaceIsAsBrightAsItsAlbedoSays) {
 
 TEST(Path, FurnaceOfABoxToo) {
     const LitScene room(std::string(kPath) +
-                        "box { size: 2, material { model: \"lambert\", diffuse: 0.5, emission: "
+                        "box { size: [2, 2, 2], material { model: \"lambert\", diffuse: 0.5, emission: "
                         "[1, 0.5, 0] } }");
     const DVec3 seen = mean_around(room, {0.2, 0.1, 0.3}, 200, 50);
     EXPECT_NEAR(seen.r, 2.0, 0.02);

@@ -84,16 +84,16 @@ TEST(Relations, LightsAddUpAndScale) {
 
 TEST(Relations, InstancesLookLikeCopies) {
     const std::string ball =
-        "sphere { material { transmit: 0.8, diffuse: 0.1, absorption: 0.5 } }";
+        "sphere { material { transmit: 0.8, diffuse: 0.1, absorption: 0.5 } }\n";
     const std::string light = light_at({3, 6, 4}, 800) + "rectangle { size: [20, 20] }\n";
-    const LitScene instances(light + "let ball = group { " + ball +
-                             " box { center: [0, 2, 0], material { reflect: 0.5 } } }\n"
+    const LitScene instances(light + "let ball = group {\n" + ball +
+                             "box { center: [0, 2, 0], material { reflect: 0.5 } } }\n"
                              "ball { translate: [-1.5, 1, 0] }\nball { translate: [1.5, 1, 0] }");
     const LitScene copies(
-        light + "group { translate: [-1.5, 1, 0] " + ball +
-        " box { center: [0, 2, 0], material { reflect: 0.5 } } }\n"
-        "group { translate: [1.5, 1, 0] " + ball +
-        " box { center: [0, 2, 0], material { reflect: 0.5 } } }");
+        light + "group { translate: [-1.5, 1, 0]\n" + ball +
+        "box { center: [0, 2, 0], material { reflect: 0.5 } } }\n"
+        "group { translate: [1.5, 1, 0]\n" + ball +
+        "box { center: [0, 2, 0], material { reflect: 0.5 } } }");
     const std::vector<Color> a = seen_in(instances);
     const std::vector<Color> b = seen_in(copies);
     int different_count = 0;  // edges may fall to either side

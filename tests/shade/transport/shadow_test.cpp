@@ -154,7 +154,7 @@ TEST(Shadow, NoAcneAtAnyScaleOrPlace) {
 TEST(Shadow, NoLightLeaksIntoAClosedRoom) {
     for (const double scale : {1e-3, 1.0, 1e6}) {
         const LitScene scene(fmt::format(
-            "box {{ size: 2, scale: {0}, rotate: [10, 20, 30], material {{ model: \"lambert\" }} "
+            "box {{ size: [2, 2, 2], scale: {0}, rotate: [10, 20, 30], material {{ model: \"lambert\" }} "
             "}}\npoint_light {{ position: [{1}, {2}, {1}], intensity: {3} }}",
             scale, 3.0 * scale, 5.0 * scale, 1e4 * scale * scale));
         Random random(3);

@@ -88,6 +88,7 @@ void PieceReader::read(std::vector<Piece>& pieces) {
     if (takes_separator(token)) {
         // What is written between two separators is the begin of an item.
         if (!comments_.empty() && separator_) place_separator(Token{}, pieces);
+        if (comma_) place_comma(token, pieces);  // of `for i,`, before what separates
         place_comments(false, pieces);
         if (!separator_) {
             separator_ = Comma{token.offset, token.kind, lines_, previous_};

@@ -9,12 +9,14 @@
 
 namespace lray::shade {
 
-/// Returns the share of unpolarised light that a boundary reflects; 1 beyond the critical angle.
+/// Returns the share of unpolarised light that a boundary reflects; 1 beyond the critical angle, 0
+/// where there is no boundary (eta 1).
 /// Shape: `cos_in` in [0, 1] is that of the angle to the normal; `eta` greater than 0 is the index
 /// of refraction behind the boundary by that before it.
 /// Source: Fresnel's equations; Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th
 /// ed., sec. 9.3.5.
 inline float fresnel_reflectance(float cos_in, float eta) {
+    if (eta == 1.0f) return 0.0f;
     const double c = static_cast<double>(cos_in);
     const double n = static_cast<double>(eta);
     const double sin2_out = (1.0 - c * c) / (n * n);
@@ -29,6 +31,7 @@ inline float fresnel_reflectance(float cos_in, float eta) {
 /// angle. `wo` points back along the ray, `normal` is on its side.
 /// Source: Snell's law.
 inline std::optional<Vec3> refracted(Vec3 wo, Vec3 normal, float eta) {
+    if (eta == 1.0f) return -wo;
     const DVec3 n{normal};
     const DVec3 o{wo};
     const double c = dot(n, o);

@@ -19,8 +19,10 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr const char* kCamera = "camera { position: [0, 0, 5] }\n";
-constexpr const char* kRight = "camera { position: [0, 0, 5] }\nsphere { }\n";
-constexpr const char* kWarned = "sphere { translate: [1, 0, 0], scale: 2 }\n";  // W1301 W1501
+constexpr const char* kRight =
+    "camera { position: [0, 0, 5] }\npoint_light { position: [4, 6, 5] }\nsphere { }\n";
+constexpr const char* kWarned =  // W1301 W1501
+    "sphere { translate: [1, 0, 0], scale: 2 }\npoint_light { position: [4, 6, 5] }\n";
 
 class Tools : public testing::Test {
  protected:

@@ -42,7 +42,7 @@ TEST(Fresnel, GrazingReflectsAll) {
 
 TEST(Fresnel, EqualIndicesReflectNothing) {
     for (const float cosine : {0.0f, 1e-6f, 0.3f, 1.0f}) {
-        EXPECT_EQ(fresnel_reflectance(cosine, 1.0f), cosine == 0.0f ? 1.0f : 0.0f);
+        EXPECT_EQ(fresnel_reflectance(cosine, 1.0f), 0.0f);
     }
 }
 
@@ -78,7 +78,9 @@ TEST(Fresnel, AgreesWithTheEquationsAtAllAngles) {
 TEST(Fresnel, IsTheSameFromBothSides) {
     for (double degrees = 1.0; degrees < 90.0; degrees += 1.0) {
         const double out = std::asin(std::sin(degrees * kDegree) / 1.5) / kDegree;
-        EXPECT_NEAR(reflectance_at(degrees, 1.5), reflectance_at(out, 1.0 / 1.5), 2e-6);
+        // Rounding a cosine to float tells the more of the angle behind, the flatter that is.
+        EXPECT_NEAR(reflectance_at(degrees, 1.5), reflectance_at(out, 1.0 / 1.5),
+                    3e-7 / std::cos(degrees * kDegree));
     }
 }
 
@@ -129,7 +131,7 @@ TEST_F(Directions, RefractedByEqualIndicesGoesStraightOn) {
         if (dot(wo, normal) < 0.0f) wo = -wo;
         const auto out = refracted(wo, normal, 1.0f);
         ASSERT_TRUE(out.has_value());
-        for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR((*out)[axis], -wo[axis], 2e-7f);
+        EXPECT_EQ(*out, -wo);
     }
 }
 

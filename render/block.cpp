@@ -54,8 +54,8 @@ BlockWork Block::advance(std::uint32_t end, const BlockSettings& settings) {
     while (!open_.empty() && next_sample_ < end) {
         const SampleRange samples{next_sample_, std::min(end, next_stop(settings))};
         const std::uint64_t asked = std::uint64_t{open_.size()} * samples.count();
-        const std::uint64_t done = settings.tracer.add_samples(part_, open_, samples, film_,
-                                                               work.rays, settings.cancel);
+        const std::uint64_t done =
+            settings.tracer.add_samples(part_, open_, samples, film_, work.rays, settings.cancel);
         work.samples += done;
         if (done != asked) {
             work.is_cancelled = true;

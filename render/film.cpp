@@ -39,7 +39,8 @@ void Film::add(std::uint32_t x, std::uint32_t y, Color sample) {
     for (int channel = 0; channel < 3; ++channel) {
         const float value = std::clamp(sample[channel], -kMaxValue, kMaxValue);
         is_clamped = is_clamped || value != sample[channel];
-        const std::int64_t steps = nearest_whole(static_cast<double>(value) * kOne);  // exact product
+        const std::int64_t steps =
+            nearest_whole(static_cast<double>(value) * kOne);  // exact product
         target.sum[channel] += steps;
         if (squares_.empty()) continue;
         const Wide size = static_cast<std::uint64_t>(steps < 0 ? -steps : steps);

@@ -31,28 +31,6 @@ struct SampleTracer::Batch {
     std::array<Color, kMaxBatchSize> colors;
 };
 
-namespace {
-
-template <class Batch>
-bvh::TraceCounts trace(const bvh::Accel& accel, Batch& batch, std::size_t size, bool is_cost_shown,
-                       const std::atomic<bool>& cancel) {
-    bvh::TraceCounts counts{.cancel = &cancel};
-    if (!is_cost_shown) {
-        accel.nearest_hits(std::span(batch.rays).first(size),
-                           std::span(batch.intervals).first(size),
-                           std::span(batch.hits).first(size), counts);
-        return counts;
-    }
-    for (std::size_t i = 0; i < size; ++i) {
-        batch.counts[i] = {.cancel = &cancel};
-        batch.hits[i] = accel.nearest_hit(batch.rays[i], batch.intervals[i], batch.counts[i]);
-        counts += batch.counts[i];
-    }
-    return counts;
-}
-
-}  // namespace
-
 SampleTracer::SampleTracer(const scene::World& world, const bvh::Accel& accel,
                            const scene::Camera& camera, const RenderOptions& options)
     : accel_(accel),
@@ -69,6 +47,23 @@ SampleTracer::SampleTracer(const scene::World& world, const bvh::Accel& accel,
     }
 }
 
+bvh::TraceCounts SampleTracer::trace(Batch& batch, std::size_t size,
+                                     const std::atomic<bool>& cancel) const {
+    bvh::TraceCounts counts{.cancel = &cancel};
+    if (options_.shading.shader != shade::Shader::cost) {
+        accel_.nearest_hits(std::span(batch.rays).first(size),
+                            std::span(batch.intervals).first(size),
+                            std::span(batch.hits).first(size), counts);
+        return counts;
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+        batch.counts[i] = {.cancel = &cancel};
+        batch.hits[i] = accel_.nearest_hit(batch.rays[i], batch.intervals[i], batch.counts[i]);
+        counts += batch.counts[i];
+    }
+    return counts;
+}
+
 bool SampleTracer::shade(Batch& batch, std::size_t size, shade::LightCounts& counts,
                          const std::atomic<bool>& cancel) const {
     if (options_.shading.shader != shade::Shader::full) {
@@ -77,10 +72,9 @@ bool SampleTracer::shade(Batch& batch, std::size_t size, shade::LightCounts& cou
         }
         return true;
     }
-    const shade::CameraWave wave{std::span(batch.rays).first(size),
-                                 std::span(batch.cones).first(size),
-                                 std::span(batch.samples).first(size),
-                                 std::span(batch.hits).first(size)};
+    const shade::CameraWave wave{
+        std::span(batch.rays).first(size), std::span(batch.cones).first(size),
+        std::span(batch.samples).first(size), std::span(batch.hits).first(size)};
     return shade::follow_light(*options_.lit, options_.shading, camera_media_, wave,
                                std::span(batch.colors).first(size), counts, cancel);
 }
@@ -110,7 +104,6 @@ std::uint64_t SampleTracer::add_samples(const PixelRect& part, std::span<const F
                                         const std::atomic<bool>& cancel) const {
     LRAY_DCHECK(film.width() == part.width() && film.height() == part.height());
     const std::uint64_t total = std::uint64_t{places.size()} * samples.count();
-    const bool is_cost_shown = options_.shading.shader == shade::Shader::cost;
     Batch batch;
     std::size_t at = 0;
     std::uint32_t index = samples.begin;
@@ -130,7 +123,7 @@ std::uint64_t SampleTracer::add_samples(const PixelRect& part, std::span<const F
                 ++index;
             }
         }
-        const bvh::TraceCounts cost = trace(accel_, batch, size, is_cost_shown, cancel);
+        const bvh::TraceCounts cost = trace(batch, size, cancel);
         counts.primary += cost;
         if (cost.is_ended) break;
         if (!shade(batch, size, counts.light, cancel)) break;

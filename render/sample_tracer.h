@@ -42,6 +42,9 @@ class SampleTracer {
  private:
     struct Batch;
 
+    /// Finds what the rays of a batch hit; returns what that cost.
+    bvh::TraceCounts trace(Batch& batch, std::size_t size, const std::atomic<bool>& cancel) const;
+
     /// Works out the colours of a batch; false once `cancel` is set.
     bool shade(Batch& batch, std::size_t size, shade::LightCounts& counts,
                const std::atomic<bool>& cancel) const;

@@ -73,7 +73,7 @@ class PropertyValues {
     Color color(std::size_t slot) const {
         const Value& value = values_[slot];
         const DVec3 linear = value.is(ValueKind::number) ? DVec3{value.number} : vec3(slot);
-        return Color{linear};
+        return Color{linear + 0.0};  // -0 is 0
     }
     std::optional<Color> optional_color(std::size_t slot) const {
         if (!has(slot)) return std::nullopt;

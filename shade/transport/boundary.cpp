@@ -63,11 +63,9 @@ Media media_at(const LitWorld& lit, Vec3 position, bvh::TraceCounts& counts) {
         const bvh::Hit hit = lit.accel.nearest_hit(ray, interval, counts);
         if (hit.is_none()) break;
         interval.lo = hit.t;
-        const std::uint32_t material =
-            scene::material_at(lit.world, hit.place, hit.primitive_id);
+        const std::uint32_t material = scene::material_at(lit.world, hit.place, hit.primitive_id);
         if (lit.materials.average(material).transmit == Color{0.0f}) continue;
-        const bool is_entered =
-            dot(bvh::surface_at(lit.world, ray, hit).normal, ray.dir) < 0.0f;
+        const bool is_entered = dot(bvh::surface_at(lit.world, ray, hit).normal, ray.dir) < 0.0f;
         const auto found = std::find(entered.rbegin(), entered.rend(), material);
         if (is_entered) {
             entered.push_back(material);

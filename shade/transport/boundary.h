@@ -11,7 +11,7 @@ namespace lray::shade {
 
 /// Mirror part and refracted part of a surface; a part of no weight has no direction.
 struct Boundary {
-    Color mirror_weight{0.0f};  // reflect + F transmit
+    Color mirror_weight{0.0f};   // reflect + F transmit
     Color through_weight{0.0f};  // (1 - F) transmit; 0 beyond the critical angle, where F is 1
     Vec3 mirror_direction{};
     Vec3 through_direction{};

@@ -57,8 +57,7 @@ void add_light_sample(const WaveContext& context, ShadowWave& shadows, const Wav
         lights.sample(light, position, point.normal, random.pair(ray.decision(kLightPoint)));
     if (!sample || !point.is_before(sample->wi)) return;
     const Vec3 wi = point.local(sample->wi);
-    Color bright =
-        sample->irradiance / probability * reflected(point.material, wi, ways.wo);
+    Color bright = sample->irradiance / probability * reflected(point.material, wi, ways.wo);
     if (bright == Color{0.0f}) return;
     if (sample->pdf > 0.0f && !is_last) {  // else no ray of the other kind may bring this light
         bright *= balance(sample->pdf * probability,
@@ -77,16 +76,16 @@ std::optional<TransportRay> onward(const WaveContext& context, const TransportRa
     const PixelSample& random = context.sample_of(ray);
     double choice = random.number(ray.decision(kComponent));
     if (choice < static_cast<double>(ways.reflection)) {
-        const auto sample = sample_reflected(point.material, ways.wo,
-                                             random.number(ray.decision(kLobe)),
-                                             random.pair(ray.decision(kDirection)));
+        const auto sample =
+            sample_reflected(point.material, ways.wo, random.number(ray.decision(kLobe)),
+                             random.pair(ray.decision(kDirection)));
         if (!sample) return std::nullopt;
         const Vec3 direction = point.from_local(sample->wi);
         if (!point.is_before(direction)) return std::nullopt;
         const float pdf = sample->pdf * ways.reflection;
         TransportRay next = ray.next(point.leaving(direction), t, kBounce);
-        next.weight *= reflected(point.material, sample->wi, ways.wo) /
-                       (std::numbers::pi_v<float> * pdf);
+        next.weight *=
+            reflected(point.material, sample->wi, ways.wo) / (std::numbers::pi_v<float> * pdf);
         next.pdf = pdf;
         next.normal = point.normal;
         return next;
@@ -94,9 +93,9 @@ std::optional<TransportRay> onward(const WaveContext& context, const TransportRa
     const bool is_mirror =
         choice < static_cast<double>(ways.reflection + ways.mirror) || ways.through == 0.0f;
     const Boundary& boundary = ways.boundary;
-    TransportRay next = ray.next(
-        point.leaving(is_mirror ? boundary.mirror_direction : boundary.through_direction), t,
-        is_mirror ? kMirror : kRefraction);
+    TransportRay next =
+        ray.next(point.leaving(is_mirror ? boundary.mirror_direction : boundary.through_direction),
+                 t, is_mirror ? kMirror : kRefraction);
     if (is_mirror) {
         if (ways.mirror == 0.0f) return std::nullopt;
         next.weight *= boundary.mirror_weight / ways.mirror;
@@ -137,9 +136,8 @@ void shade_paths(const WaveContext& context, Wave& wave) {
             push(context, *next);
         }
     }
-    shadows.follow(context, [&](std::size_t point, Color light) {
-        context.add(wave.rays[point], light);
-    });
+    shadows.follow(context,
+                   [&](std::size_t point, Color light) { context.add(wave.rays[point], light); });
 }
 
 }  // namespace lray::shade

@@ -57,7 +57,8 @@ DVec3 object_normal(const bvh::SurfaceDetail& detail, Vec3 normal) {
     const DMat3& m = detail.object_from_world;
     const DVec3 n{normal};
     // The cofactors of the map, which has an inverse, up to a factor that does not matter.
-    const DVec3 across = cross(m[1], m[2]) * n.x + cross(m[2], m[0]) * n.y + cross(m[0], m[1]) * n.z;
+    const DVec3 across =
+        cross(m[1], m[2]) * n.x + cross(m[2], m[0]) * n.y + cross(m[0], m[1]) * n.z;
     const double length2 = dot(across, across);
     return length2 > 0.0 ? across / std::sqrt(length2) : DVec3{0.0};
 }
@@ -87,8 +88,7 @@ ShadingPoint shading_point(const LitWorld& lit, const TransportRay& ray, const b
     Vec3 along{0.0f};
     if (lit.materials.needs_detail(point.material_id)) {
         const bvh::SurfaceDetail detail = bvh::surface_detail(lit.world, hit, point.surface);
-        const TexturePoint where =
-            texture_point(point.surface, detail, ray.cone.width_at(hit.t));
+        const TexturePoint where = texture_point(point.surface, detail, ray.cone.width_at(hit.t));
         point.material = lit.materials.is_textured(point.material_id)
                              ? lit.materials.at(point.material_id, where)
                              : lit.materials.average(point.material_id);

@@ -13,10 +13,10 @@ namespace lray::shade {
 /// Space: world.
 struct ShadingPoint {
     bvh::SurfacePoint surface{};
-    Vec3 wo{};       // unit, back along the ray
-    Vec3 normal{};   // for shading, unit, on the side of wo
-    Vec3 tangent{};    // unit, along u where that has a direction; x of the shading frame
-    Vec3 bitangent{};  // y of the shading frame
+    Vec3 wo{};               // unit, back along the ray
+    Vec3 normal{};           // for shading, unit, on the side of wo
+    Vec3 tangent{};          // unit, along u where that has a direction; x of the shading frame
+    Vec3 bitangent{};        // y of the shading frame
     bool is_outside = true;  // wo is on the outer side of the surface
     std::uint32_t material_id = 0;
     MaterialPoint material{};

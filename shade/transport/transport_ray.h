@@ -27,14 +27,14 @@ struct RayCone {
 struct TransportRay {
     Ray ray{};
     RayCone cone{};
-    Color weight{1.0f};         // the share of what it meets that reaches the sample
-    std::uint32_t sample = 0;   // index among those followed together
-    std::uint16_t depth = 0;    // reflections and refractions before it
-    std::uint16_t passes = 0;   // holes it came through since
-    std::uint64_t branch = 0;   // key of its decisions
-    float pdf = 0.0f;           // of choosing its direction among those of a matt or glossy surface;
-                                // 0: it had no choice
-    Vec3 normal{0.0f};          // for shading, where that was chosen
+    Color weight{1.0f};        // the share of what it meets that reaches the sample
+    std::uint32_t sample = 0;  // index among those followed together
+    std::uint16_t depth = 0;   // reflections and refractions before it
+    std::uint16_t passes = 0;  // holes it came through since
+    std::uint64_t branch = 0;  // key of its decisions
+    float pdf = 0.0f;          // of choosing its direction among those of a matt or glossy surface;
+                               // 0: it had no choice
+    Vec3 normal{0.0f};         // for shading, where that was chosen
     Media media{};
 
     /// Returns a ray that this one leads to, `way` telling them apart; the rest is as of this one.

@@ -41,10 +41,10 @@ class DirectLight {
         const ShadingPoint& point = wave_.points[i];
         const TransportRay& ray = wave_.rays[i];
         const LightTable& lights = context_.lit.lights;
-        const DVec2 u = lights.has_extent(light)
-                            ? context_.sample_of(ray).pair(ray.decision(kLightPoint, light), part,
-                                                           sample_count)
-                            : DVec2{0.0};
+        const DVec2 u =
+            lights.has_extent(light)
+                ? context_.sample_of(ray).pair(ray.decision(kLightPoint, light), part, sample_count)
+                : DVec2{0.0};
         const std::optional<LightSample> sample =
             lights.sample(light, DVec3{point.surface.position}, point.normal, u);
         if (!sample || !point.is_before(sample->wi)) return;
@@ -86,8 +86,7 @@ void push_onward(const WaveContext& context, const TransportRay& ray, const Shad
              boundary.mirror_weight);
     }
     if (boundary.through_weight != Color{0.0f}) {
-        TransportRay through =
-            ray.next(point.leaving(boundary.through_direction), t, kRefraction);
+        TransportRay through = ray.next(point.leaving(boundary.through_direction), t, kRefraction);
         through.media = boundary.media_through;
         push(context, through, boundary.through_weight);
     }
@@ -102,8 +101,7 @@ void shade_whitted(const WaveContext& context, Wave& wave) {
     }
     for (std::size_t i = 0; i < wave.count; ++i) {
         const MaterialPoint& material = wave.points[i].material;
-        context.add(wave.rays[i], material.emission +
-                                      context.settings.ambient * material.ambient +
+        context.add(wave.rays[i], material.emission + context.settings.ambient * material.ambient +
                                       direct.sum(i));
         push_onward(context, wave.rays[i], wave.points[i], wave.distances[i]);
     }

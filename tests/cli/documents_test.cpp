@@ -158,9 +158,9 @@ TEST(Documents, ScenesAreFormatted) {
 /// The line of --stats about tests, of an example rendered by level 2.
 std::string tests_line(const std::string& example, const std::string& size,
                        const std::string& accel) {
-    const auto result = test::run_process({LRAY_BINARY, "-n", "2", "-ps", "1", "-i",
-                                           kTop + "/examples/" + example + ".lrs", "--size", size,
-                                           "-o", "-", "--stats", "--quiet", "--accel", accel});
+    const auto result = test::run_process(
+        {LRAY_BINARY, "-n", "2", "-ps", "1", "-i", kTop + "/examples/" + example + ".lrs", "--size",
+         size, "-o", "-", "--stats", "--quiet", "--accel", accel, "--shading", "flat"});
     std::smatch match;
     const bool is_found = std::regex_search(result.err, match, std::regex("tests        [^\n]*"));
     EXPECT_TRUE(is_found) << result.err;

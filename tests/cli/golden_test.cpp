@@ -31,7 +31,18 @@ std::ostream& operator<<(std::ostream& out, const Golden& golden) {
     return out << golden.name;
 }
 
-/// Every scene of examples/, the library and tests/golden, and some twice.
+/// A picture of the scene in full light, of so many rays per pixel.
+Golden lit(std::string name, std::string scene, std::string size, std::string rays,
+           std::vector<std::string> more = {}) {
+    Golden golden{std::move(name), std::move(scene), {"-n", "2", "--accel", "boxes"}};
+    golden.options.insert(golden.options.end(),
+                          {"--shading", "full", "-ps", std::move(rays), "--size", std::move(size)});
+    golden.options.insert(golden.options.end(), more.begin(), more.end());
+    return golden;
+}
+
+/// Every scene of examples/, the library and tests/golden; many twice: flat, as level 1 paints,
+/// and lit.
 std::vector<Golden> goldens() {
     return {
         {"primitives", "examples/primitives.lrs", {"--size", "160x120"}},
@@ -88,6 +99,41 @@ std::vector<Golden> goldens() {
         {"torus", "tests/golden/torus.lrs", {"--size", "160x120"}},
         {"textures", "tests/golden/textures.lrs", {"--size", "160x120"}},
         {"transforms", "tests/golden/transforms.lrs", {"--size", "160x120"}},
+        {"cornell", "examples/cornell.lrs", {"--size", "120x120"}},
+        {"depth_of_field", "examples/depth_of_field.lrs", {"--size", "128x72"}},
+        {"gallery", "examples/gallery.lrs", {"--size", "160x90"}},
+        {"glass", "examples/glass.lrs", {"--size", "160x120"}},
+        lit("lit_lights", "tests/golden/lights.lrs", "160x120", "4"),
+        lit("lit_soft_shadows", "tests/golden/soft_shadows.lrs", "160x120", "4"),
+        lit("lit_environment", "tests/golden/environment.lrs", "160x120", "4"),
+        lit("lit_models", "tests/golden/models.lrs", "160x120", "4"),
+        lit("lit_glass", "tests/golden/glass.lrs", "160x120", "4"),
+        lit("lit_coloured_shadows", "tests/golden/coloured_shadows.lrs", "160x120", "4"),
+        lit("lit_paths", "tests/golden/paths.lrs", "120x90", "32"),
+        lit("lit_textured", "tests/golden/textured.lrs", "160x120", "4"),
+        lit("lit_lens", "tests/golden/depth_of_field.lrs", "160x120", "16"),
+        lit("lit_panorama", "tests/golden/panorama.lrs", "160x80", "4"),
+        lit("lit_smooth_normals", "tests/golden/smooth_normals.lrs", "160x120", "4"),
+        lit("lit_tone_none", "tests/golden/tone_maps.lrs", "160x60", "4"),
+        lit("lit_tone_reinhard", "tests/golden/tone_maps.lrs", "160x60", "4",
+            {"-D", "tone=reinhard"}),
+        lit("lit_tone_aces", "tests/golden/tone_maps.lrs", "160x60", "4", {"-D", "tone=aces"}),
+        lit("lit_primitives", "examples/primitives.lrs", "160x120", "4"),
+        lit("lit_still_life", "examples/still_life.lrs", "160x120", "4"),
+        lit("lit_chess", "examples/chess.lrs", "160x100", "4"),
+        lit("lit_orbits", "examples/orbits.lrs", "150x100", "4", {"--frame", "0"}),
+        lit("lit_sphereflake", "examples/sphereflake.lrs", "120x90", "4"),
+        lit("lit_staircase", "examples/staircase.lrs", "120x160", "4"),
+        lit("lit_terrain", "examples/terrain.lrs", "128x72", "4",
+            {"-D", "detail=25", "-D", "trees=120"}),
+        lit("lit_forest", "examples/forest.lrs", "128x72", "4", {"-D", "trees=500"}),
+        lit("lit_materials", "examples/lib/materials.lrs", "120x60", "4"),
+        lit("lit_example_glass", "examples/glass.lrs", "160x120", "4"),
+        lit("lit_cornell", "examples/cornell.lrs", "90x90", "64"),
+        lit("lit_depth_of_field", "examples/depth_of_field.lrs", "128x72", "16"),
+        lit("lit_gallery", "examples/gallery.lrs", "160x90", "4"),
+        lit("lit_std_lights", "parser/std/lights.lrs", "128x80", "4"),
+        lit("lit_std_materials", "parser/std/materials.lrs", "160x80", "4"),
     };
 }
 

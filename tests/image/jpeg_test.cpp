@@ -159,7 +159,8 @@ TEST(JpegWrite, FullDiskIsAnErrorInWords) {
     auto out = OutputFile::open("/dev/full", error);
     ASSERT_TRUE(out) << error;
     const bool is_written =
-        write_jpeg(*out, test::random_image(400, 400, 23), Gamma::srgb, {}, 100, error) && out->commit();
+        write_jpeg(*out, test::random_image(400, 400, 23), Gamma::srgb, {}, 100, error) &&
+        out->commit();
     EXPECT_FALSE(is_written);
     EXPECT_NE((error.empty() ? out->error() : error).find("space"), std::string::npos) << error;
 }

@@ -50,11 +50,10 @@ Color LitScene::seen(DVec3 origin, DVec3 direction, std::uint32_t sample) const 
     const shade::Media media = shade::media_at(*lit_, ray.origin, camera_counts);
     const std::atomic<bool> cancel = false;
     Color color{0.0f};
-    const bool is_complete =
-        shade::follow_light(*lit_, settings, media,
-                            {std::span(&ray, 1), std::span(&cone, 1), std::span(&of_pixel, 1),
-                             std::span(&hit, 1)},
-                            std::span(&color, 1), counts_, cancel);
+    const bool is_complete = shade::follow_light(
+        *lit_, settings, media,
+        {std::span(&ray, 1), std::span(&cone, 1), std::span(&of_pixel, 1), std::span(&hit, 1)},
+        std::span(&color, 1), counts_, cancel);
     EXPECT_TRUE(is_complete);
     return color;
 }

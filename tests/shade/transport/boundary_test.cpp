@@ -86,7 +86,8 @@ TEST(Boundary, SlabMovesRaysAside) {
 TEST(Boundary, PaneWithoutThicknessBendsRaysOnce) {
     // Below the surface of the water a ray goes steeper, by Snell's law.
     const LitScene scene(
-        "plane { material { ior: 1.33, " + kClear + " } }\n"
+        "plane { material { ior: 1.33, " + kClear +
+        " } }\n"
         "rectangle { corner: [-10, -2, 10], edge_u: [20, 0, 0], edge_v: [0, 0, -20]\n"
         "  material { diffuse: 0, specular: 0, emission: gradient { axis: \"x\", space: \"uv\" } } "
         "}");
@@ -105,8 +106,11 @@ TEST(Boundary, LightIsSplitWithoutLoss) {
     // Where all around is equally bright, clear things cannot be seen.
     LitScene scene(
         "render { background: 1, max_depth: 64 }\n"
-        "sphere { material { ior: 1.5, " + kClear + " } }\n"
-        "box { center: [2.5, 0, 0], rotate: [20, 30, 0], material { ior: 2.4, " + kClear + " } }");
+        "sphere { material { ior: 1.5, " +
+        kClear +
+        " } }\n"
+        "box { center: [2.5, 0, 0], rotate: [20, 30, 0], material { ior: 2.4, " +
+        kClear + " } }");
     Random random(5);
     for (int i = 0; i < 300; ++i) {
         const DVec3 aim{random.uniform(-1.0, 3.0), random.uniform(-0.9, 0.9), 0.0};
@@ -119,7 +123,8 @@ TEST(Boundary, LightIsSplitWithoutLoss) {
 TEST(Boundary, AbsorptionIsThatOfTheWayInside) {
     const LitScene scene(
         "render { background: 1 }\n"
-        "box { size: [4, 4, 0.75], material { ior: 1, absorption: [0, 1, 3], " + kClear + " } }");
+        "box { size: [4, 4, 0.75], material { ior: 1, absorption: [0, 1, 3], " +
+        kClear + " } }");
     const Color seen = scene.seen({0.0, 0.0, 2.0}, {0.0, 0.0, -1.0});
     EXPECT_NEAR(seen.r, 1.0f, 1e-6f);
     EXPECT_NEAR(seen.g, std::exp(-0.75f), 1e-6f);
@@ -135,8 +140,9 @@ TEST(Boundary, CameraInGlassSeesAsFromInside) {
     EXPECT_NEAR(seen.g, 0.96f * std::exp(-1.5f), 1e-5f);
     EXPECT_NEAR(seen.b, 0.96f * std::exp(-3.0f), 1e-5f);
     // Beyond the critical angle nothing gets out.
-    LitScene slab("render { background: 1, max_depth: 3 }\nbox { size: [1000, 2, 1000], material { " +
-                  glass + " } }");
+    LitScene slab(
+        "render { background: 1, max_depth: 3 }\nbox { size: [1000, 2, 1000], material { " + glass +
+        " } }");
     EXPECT_EQ(slab.seen({0.0, 0.0, 0.0}, {1.0, 0.5, 0.0}), Color(0.0f));
 }
 

@@ -64,10 +64,10 @@ TEST(Fresnel, BeyondTheCriticalAngleAllIsReflected) {
 TEST(Fresnel, AgreesWithTheEquationsAtAllAngles) {
     for (const double eta : {1.0001, 1.33, 1.5, 2.42, 1.0 / 1.33, 1.0 / 1.5, 0.3}) {
         for (double degrees = 0.5; degrees < 90.0; degrees += 0.5) {
-            const Polarised expected =
-                polarised(std::acos(static_cast<long double>(
-                              static_cast<float>(std::cos(degrees * kDegree)))),
-                          static_cast<long double>(static_cast<float>(eta)));
+            const Polarised expected = polarised(
+                std::acos(
+                    static_cast<long double>(static_cast<float>(std::cos(degrees * kDegree)))),
+                static_cast<long double>(static_cast<float>(eta)));
             EXPECT_NEAR(reflectance_at(degrees, eta),
                         static_cast<double>(0.5L * (expected.parallel + expected.across)), 1e-6)
                 << degrees << " degrees, eta " << eta;

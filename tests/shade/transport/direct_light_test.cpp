@@ -54,8 +54,8 @@ long double expected_light(LVec point, LVec normal, LVec eye, const std::vector<
         const long double half = dot(normal, unit(to_light + to_eye));
         sum += lamp.intensity / (4 * std::numbers::pi_v<long double> * dot(way, way)) *
                (matter.diffuse * cosine +
-                matter.specular * std::pow(std::max(half, 0.0L),
-                                           static_cast<long double>(matter.exponent)));
+                matter.specular *
+                    std::pow(std::max(half, 0.0L), static_cast<long double>(matter.exponent)));
     }
     return sum;
 }
@@ -91,7 +91,8 @@ void expect_sphere_as_formula(const Matter& matter, bool casts_shadow, double to
         const DVec3 eye_float{Vec3{eye}};
         const DVec3 aim{random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9),
                         random.uniform(-0.9, 0.9)};
-        const DVec3 exact_dir = (aim - eye_float) / std::sqrt(dot(aim - eye_float, aim - eye_float));
+        const DVec3 exact_dir =
+            (aim - eye_float) / std::sqrt(dot(aim - eye_float, aim - eye_float));
         const LVec dir = of(DVec3{Vec3{exact_dir}});
         const LVec origin = of(eye_float);
         const long double b = dot(origin, dir);
@@ -101,8 +102,8 @@ void expect_sphere_as_formula(const Matter& matter, bool casts_shadow, double to
         const LVec point = origin + (-b - std::sqrt(discriminant)) / a * dir;
         const long double expected = expected_light(point, unit(point), origin, lamps, matter);
         const Color seen = scene.seen(eye_float, exact_dir);
-        worst = std::max(worst,
-                         std::fabs(static_cast<double>(static_cast<long double>(seen.g) - expected)));
+        worst = std::max(
+            worst, std::fabs(static_cast<double>(static_cast<long double>(seen.g) - expected)));
         lit_count += expected > 0 ? 1 : 0;
     }
     EXPECT_GT(lit_count, 1000);
@@ -132,8 +133,7 @@ TEST(BlinnPhong, FloorIsAsTheFormulaSaysNearAndFar) {
         const DVec3 dir{Vec3{way / std::sqrt(dot(way, way))}};
         const LVec point = of(eye) + (-2.0L / static_cast<long double>(dir.y)) * of(dir);
         EXPECT_NEAR(scene.seen(eye, dir).r,
-                    static_cast<double>(
-                        expected_light(point, {0, 1, 0}, of(eye), lamps, matter)),
+                    static_cast<double>(expected_light(point, {0, 1, 0}, of(eye), lamps, matter)),
                     1e-6)
             << x;
     }

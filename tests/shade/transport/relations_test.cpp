@@ -23,8 +23,10 @@ std::string everything(double scale, const std::string& lights) {
                "  sphere {{ center: [0, 1, 0], material {{ diffuse: 0.1, transmit: 0.9\n"
                "    absorption: [{}, {}, 0] }} }}\n"
                "  box {{ center: [2, 0.5, 0], material {{ model: \"cook_torrance\" }} }}\n"
-               "  cylinder {{ from: [-2, 0, 0], to: [-2, 2, 1], material {{ model: \"phong\" }} }}\n"
-               "  triangle {{ a: [-1, 0, -2], b: [1, 0, -2], c: [0, 3, -2], material {{ reflect: 1, "
+               "  cylinder {{ from: [-2, 0, 0], to: [-2, 2, 1], material {{ model: \"phong\" }} "
+               "}}\n"
+               "  triangle {{ a: [-1, 0, -2], b: [1, 0, -2], c: [0, 3, -2], material {{ reflect: "
+               "1, "
                "diffuse: 0 }} }}\n}}\n",
                scale, 0.25 / scale, 0.5 / scale);
 }
@@ -55,7 +57,8 @@ std::vector<Color> seen_in(const LitScene& scene, double scale = 1.0) {
 }
 
 TEST(Relations, PowersOfTwoOfTheScaleGiveTheSameBits) {
-    const std::vector<Color> expected = seen_in(LitScene(everything(1.0, light_at({3, 6, 4}, 800))));
+    const std::vector<Color> expected =
+        seen_in(LitScene(everything(1.0, light_at({3, 6, 4}, 800))));
     for (const double scale : {0x1p-10, 0.5, 8.0, 0x1p20}) {
         const LitScene scaled(
             everything(scale, light_at(scale * DVec3{3, 6, 4}, 800.0 * scale * scale)));
@@ -89,11 +92,10 @@ TEST(Relations, InstancesLookLikeCopies) {
     const LitScene instances(light + "let ball = group {\n" + ball +
                              "box { center: [0, 2, 0], material { reflect: 0.5 } } }\n"
                              "ball { translate: [-1.5, 1, 0] }\nball { translate: [1.5, 1, 0] }");
-    const LitScene copies(
-        light + "group { translate: [-1.5, 1, 0]\n" + ball +
-        "box { center: [0, 2, 0], material { reflect: 0.5 } } }\n"
-        "group { translate: [1.5, 1, 0]\n" + ball +
-        "box { center: [0, 2, 0], material { reflect: 0.5 } } }");
+    const LitScene copies(light + "group { translate: [-1.5, 1, 0]\n" + ball +
+                          "box { center: [0, 2, 0], material { reflect: 0.5 } } }\n"
+                          "group { translate: [1.5, 1, 0]\n" +
+                          ball + "box { center: [0, 2, 0], material { reflect: 0.5 } } }");
     const std::vector<Color> a = seen_in(instances);
     const std::vector<Color> b = seen_in(copies);
     int different_count = 0;  // edges may fall to either side
@@ -128,7 +130,8 @@ TEST(Relations, OneRayOrManyTogetherGiveTheSameBits) {
         for (std::size_t i = 0; i < kCount; ++i) {
             const auto& [origin, direction] = all[i];
             rays[i] = {Vec3{origin}, Vec3{direction / std::sqrt(dot(direction, direction))}};
-            samples[i] = PixelSample::of(SamplerKind::sobol, 1, static_cast<std::uint32_t>(i), 3, 0);
+            samples[i] =
+                PixelSample::of(SamplerKind::sobol, 1, static_cast<std::uint32_t>(i), 3, 0);
             hits[i] = scene.lit().accel.nearest_hit(rays[i], {}, counts);
         }
         const std::atomic<bool> cancel = false;

@@ -91,12 +91,12 @@ TEST(Shadow, WhatIsBehindTheLightCastsNone) {
 TEST(Shadow, LightInTheCeilingLightsTheRoomEvenly) {
     // A lamp that lies in the ceiling must not be hidden by it here and there.
     for (const double offset : {0.0, 100.0, 1e4}) {
-        const LitScene scene(fmt::format(
-            "group {{ translate: [{0}, {0}, {0}]\n"
-            "  area_light {{ center: [0, 2, 0], size: [1, 1], samples: 16 }}\n"
-            "  rectangle {{ size: [4, 4], center: [0, 2, 0] }}\n"
-            "  rectangle {{ size: [4, 4], material {{ model: \"lambert\" }} }}\n}}",
-            offset));
+        const LitScene scene(
+            fmt::format("group {{ translate: [{0}, {0}, {0}]\n"
+                        "  area_light {{ center: [0, 2, 0], size: [1, 1], samples: 16 }}\n"
+                        "  rectangle {{ size: [4, 4], center: [0, 2, 0] }}\n"
+                        "  rectangle {{ size: [4, 4], material {{ model: \"lambert\" }} }}\n}}",
+                        offset));
         const DVec3 eye = DVec3{offset} + DVec3{0.0, 1.0, 1.9};
         const double least = 1.0;
         for (double x = -1.0; x <= 1.0; x += 0.05) {
@@ -108,25 +108,25 @@ TEST(Shadow, LightInTheCeilingLightsTheRoomEvenly) {
 
 /// Convex bodies must not shadow themselves where they face the light, at any scale and place.
 void expect_no_acne(const std::string& shape, double scale, double offset) {
-    const LitScene scene(fmt::format(
-        "group {{ scale: {0}, translate: [{1}, {1}, {1}]\n"
-        "  {2}\n}}\ndirectional_light {{ direction: [-1, -2, -3], intensity: 1 }}",
-        scale, offset, shape));
-    const LitScene unshadowed(fmt::format(
-        "group {{ scale: {0}, translate: [{1}, {1}, {1}]\n"
-        "  {2}\n}}\ndirectional_light {{ direction: [-1, -2, -3], intensity: 1, "
-        "casts_shadow: false }}",
-        scale, offset, shape));
+    const LitScene scene(
+        fmt::format("group {{ scale: {0}, translate: [{1}, {1}, {1}]\n"
+                    "  {2}\n}}\ndirectional_light {{ direction: [-1, -2, -3], intensity: 1 }}",
+                    scale, offset, shape));
+    const LitScene unshadowed(
+        fmt::format("group {{ scale: {0}, translate: [{1}, {1}, {1}]\n"
+                    "  {2}\n}}\ndirectional_light {{ direction: [-1, -2, -3], intensity: 1, "
+                    "casts_shadow: false }}",
+                    scale, offset, shape));
     Random random(7);
     int lit_count = 0;
     int lost_count = 0;
     for (int i = 0; i < 3000; ++i) {
-        const DVec3 eye = DVec3{offset} + scale * DVec3{random.uniform(-4.0, 4.0),
-                                                        random.uniform(-4.0, 4.0),
-                                                        random.uniform(3.0, 4.0)};
-        const DVec3 aim = DVec3{offset} + scale * DVec3{random.uniform(-1.0, 1.0),
-                                                        random.uniform(-1.0, 1.0),
-                                                        random.uniform(-1.0, 1.0)};
+        const DVec3 eye =
+            DVec3{offset} + scale * DVec3{random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0),
+                                          random.uniform(3.0, 4.0)};
+        const DVec3 aim =
+            DVec3{offset} + scale * DVec3{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                                          random.uniform(-1.0, 1.0)};
         const Color bright = unshadowed.seen(eye, aim - eye);
         if (bright.r <= 0.0f) continue;
         ++lit_count;
@@ -153,10 +153,11 @@ TEST(Shadow, NoAcneAtAnyScaleOrPlace) {
 
 TEST(Shadow, NoLightLeaksIntoAClosedRoom) {
     for (const double scale : {1e-3, 1.0, 1e6}) {
-        const LitScene scene(fmt::format(
-            "box {{ size: [2, 2, 2], scale: {0}, rotate: [10, 20, 30], material {{ model: \"lambert\" }} "
-            "}}\npoint_light {{ position: [{1}, {2}, {1}], intensity: {3} }}",
-            scale, 3.0 * scale, 5.0 * scale, 1e4 * scale * scale));
+        const LitScene scene(
+            fmt::format("box {{ size: [2, 2, 2], scale: {0}, rotate: [10, 20, 30], material {{ "
+                        "model: \"lambert\" }} "
+                        "}}\npoint_light {{ position: [{1}, {2}, {1}], intensity: {3} }}",
+                        scale, 3.0 * scale, 5.0 * scale, 1e4 * scale * scale));
         Random random(3);
         for (int i = 0; i < 2000; ++i) {
             const DVec3 direction{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),

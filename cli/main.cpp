@@ -65,7 +65,8 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     const auto accel = build_hierarchy(*world, options, progress);
     const auto lit = prepare_light(view, *world, *accel, options);
     times.build = watch.lap();
-    const render::RenderResult result = render_view(view, *world, *accel, lit.get(), progress);
+    const render::RenderResult result =
+        render_view(view, *world, *accel, lit.get(), options, progress);
     times.render = watch.lap();
     const ExitCode exit_code =
         save_picture(std::move(std::get<OutputFile>(opened)), result, view, scene->info, options);

@@ -188,18 +188,20 @@ std::unique_ptr<shade::LitWorld> prepare_light(const View& view, const scene::Wo
 
 render::RenderResult render_view(const View& view, const scene::World& world,
                                  const bvh::Accel& accel, const shade::LitWorld* lit,
-                                 Progress& progress) {
+                                 const Options& options, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     const auto on_progress = [&](const render::RenderProgress& done) {
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         print_message(progress.update(done, elapsed.count()));
     };
-    render::RenderOptions options = view.render_options;
-    options.lit = lit;
+    render::RenderOptions render_options = view.render_options;
+    render_options.lit = lit;
     render::RenderResult result =
-        render::render(world, accel, view.camera, options, on_progress, stop_requested());
+        render::render(world, accel, view.camera, render_options, on_progress, stop_requested());
     print_message(progress.finish());
-    result.image = image::displayed(std::move(result.image), view.render_options.display);
+    if (options.format != image::Format::pfm) {  // which holds the light itself
+        result.image = image::displayed(std::move(result.image), view.render_options.display);
+    }
     return result;
 }
 

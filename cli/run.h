@@ -50,7 +50,7 @@ std::unique_ptr<shade::LitWorld> prepare_light(const View& view, const scene::Wo
 /// display.
 render::RenderResult render_view(const View& view, const scene::World& world,
                                  const bvh::Accel& accel, const shade::LitWorld* lit,
-                                 Progress& progress);
+                                 const Options& options, Progress& progress);
 
 /// Writes the picture, or what there is of it beside the output if it was interrupted, and says
 /// so.

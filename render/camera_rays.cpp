@@ -135,17 +135,17 @@ Ray CameraRays::through(DVec2 position_pixel, DVec2 lens) const {
     return {Vec3(origin + lens_point), Vec3(towards_focus(way, lens_point))};
 }
 
-PixelCone CameraRays::cone(DVec2 position_pixel) const {
+shade::RayCone CameraRays::cone(DVec2 position_pixel) const {
     switch (projection_) {
         case scene::Projection::perspective: {
             // A pixel lies in the plane at distance 1; the ray takes this much longer to get there.
             const DVec3 way = frame_.forward + offset(position_pixel);
-            return {0.0, pixel_size_ / std::sqrt(dot(way, way))};
+            return {0.0f, static_cast<float>(pixel_size_ / std::sqrt(dot(way, way)))};
         }
         case scene::Projection::orthographic:
-            return {pixel_size_, 0.0};
+            return {static_cast<float>(pixel_size_), 0.0f};
         case scene::Projection::panorama:
-            return {0.0, pixel_size_};
+            return {0.0f, static_cast<float>(pixel_size_)};
     }
     LRAY_ASSERT(false);
 }

@@ -4,6 +4,7 @@
 #include "base/ray.h"
 #include "base/vec.h"
 #include "scene/camera.h"
+#include "shade/transport/transport_ray.h"
 
 namespace lray::render {
 
@@ -17,13 +18,6 @@ struct CameraFrame {
 /// Returns the frame of a camera at `position` that looks at `look_at`, with `up` upwards in the
 /// picture. An `up` along the view gives way to the axis that is farthest from it.
 CameraFrame camera_frame(DVec3 position, DVec3 look_at, DVec3 up);
-
-/// What a pixel sees of the world along a ray, across it: width_at_origin + t * spread, in world
-/// units at the distance t.
-struct PixelCone {
-    double width_at_origin = 0.0;
-    double spread = 0.0;
-};
 
 /// The pair that stands for the middle of a lens.
 inline constexpr DVec2 kLensCenter{0.5, 0.5};
@@ -49,7 +43,7 @@ class CameraRays {
 
     /// Returns how wide a pixel around that position is along its ray through the middle of the
     /// lens.
-    PixelCone cone(DVec2 position_pixel) const;
+    shade::RayCone cone(DVec2 position_pixel) const;
 
     bool has_lens() const { return lens_radius_ > 0.0; }
 

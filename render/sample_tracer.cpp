@@ -95,8 +95,7 @@ Ray SampleTracer::camera_ray(std::uint32_t x, std::uint32_t y, const PixelSample
 
 shade::RayCone SampleTracer::pixel_cone(std::uint32_t x, std::uint32_t y) const {
     if (options_.lit == nullptr || !options_.lit->materials.has_textures()) return {};
-    const PixelCone cone = rays_.cone(DVec2{x, y} + DVec2{0.5});
-    return {static_cast<float>(cone.width_at_origin), static_cast<float>(cone.spread)};
+    return rays_.cone(DVec2{x, y} + DVec2{0.5});
 }
 
 std::uint64_t SampleTracer::add_samples(const PixelRect& part, std::span<const FilmPlace> places,

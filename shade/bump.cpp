@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "shade/across.h"
+
 namespace lray::shade {
 
 namespace {
@@ -28,21 +30,16 @@ std::optional<TangentFrame> tangent_frame(const bvh::SurfaceDetail& detail) {
     const auto u = unit(DVec3{detail.dp_du});
     if (!u) return std::nullopt;
     const DVec3 normal{detail.shading_normal};
-    const DVec3 across = cross(normal, *u);
-    const double side = dot(across, DVec3{detail.dp_dv});
+    const DVec3 aside = cross(normal, *u);
+    const double side = dot(aside, DVec3{detail.dp_dv});
     if (!(side != 0.0)) return std::nullopt;
-    return TangentFrame{*u, side < 0.0 ? -across : across, normal};
+    return TangentFrame{*u, side < 0.0 ? -aside : aside, normal};
 }
 
-// Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin 2017, "Building an Orthonormal Basis,
-// Revisited".
 TangentFrame any_frame(Vec3 normal) {
     const DVec3 n{normal};
-    const double sign = std::copysign(1.0, n.z);
-    const double a = -1.0 / (sign + n.z);
-    const double b = n.x * n.y * a;
-    return {
-        {1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+    const auto [u, v] = across(n);
+    return {u, v, n};
 }
 
 TexturePoint moved(const TexturePoint& point, const bvh::SurfaceDetail& detail, DVec3 step) {

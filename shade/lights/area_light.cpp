@@ -75,7 +75,7 @@ std::optional<LightSample> AreaLight::sample(DVec3 point, DVec2 u) const {
         const DVec3 to_light = p.x * x + p.y * y - height * normal;
         const double distance = glm::length(to_light);
         const float density = is_met ? finite_float(1.0 / rectangle->solid_angle) : 0.0f;
-        return LightSample{Vec3(to_light / distance), shadow_distance(distance),
+        return LightSample{Vec3(to_light / distance), finite_distance(distance),
                            light_color(color, intensity / area * rectangle->solid_angle / kPi),
                            density};
     }
@@ -84,7 +84,7 @@ std::optional<LightSample> AreaLight::sample(DVec3 point, DVec2 u) const {
     const double distance = std::sqrt(distance_squared);
     const double solid_per_area = height / (distance_squared * distance);
     const float density = is_met ? finite_float(1.0 / (area * solid_per_area)) : 0.0f;
-    return LightSample{Vec3(to_light / distance), shadow_distance(distance),
+    return LightSample{Vec3(to_light / distance), finite_distance(distance),
                        light_color(color, intensity / kPi * solid_per_area), density};
 }
 

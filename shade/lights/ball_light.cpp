@@ -97,7 +97,7 @@ std::optional<LightSample> BallLight::sample(DVec3 point, DVec2 u) const {
     if (!(light > 0.0)) return std::nullopt;
     if (!(radius > 0.0)) {
         light *= fall(falloff, distance_squared);
-        return LightSample{Vec3(towards), shadow_distance(distance), light_color(color, light)};
+        return LightSample{Vec3(towards), finite_distance(distance), light_color(color, light)};
     }
     const double area = radius * radius;
     const bool is_inside = !(distance > radius);
@@ -116,7 +116,7 @@ std::optional<LightSample> BallLight::sample(DVec3 point, DVec2 u) const {
     light *= falloff == scene::Falloff::quadratic ? 2.0 * height_per_area
                                                   : fall(falloff, distance_squared);
     const float density = is_met ? finite_float(1.0 / cone_solid_angle(height)) : 0.0f;
-    return LightSample{Vec3(wi), shadow_distance(to_surface), light_color(color, light), density};
+    return LightSample{Vec3(wi), finite_distance(to_surface), light_color(color, light), density};
 }
 
 float BallLight::pdf(DVec3 point, Vec3 wi) const {

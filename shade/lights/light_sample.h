@@ -40,11 +40,9 @@ inline Color light_color(Color color, double strength) {
     return glm::min(color * finite_float(strength), Color{static_cast<float>(kMostLight)});
 }
 
-/// Returns where shadows of a light at that distance end: just in front of it, so that neither what
-/// it lies on nor what touches it from behind darkens it. Directions and origins of shadow rays are
-/// floats, 2^-22 off in all; met at a slant of 1 : 2^7 that is the 2^-15 which is left out.
-inline float shadow_distance(double distance) {
-    return static_cast<float>(std::min(distance, 1e37) * (1.0 - 0x1p-15));
+/// Returns a distance as a finite float.
+inline float finite_distance(double distance) {
+    return static_cast<float>(std::min(distance, 1e37));
 }
 
 }  // namespace lray::shade

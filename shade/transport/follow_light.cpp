@@ -1,9 +1,9 @@
 #include "shade/transport/follow_light.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/assert.h"
+#include "shade/transport/absorption.h"
 #include "shade/transport/path.h"
 #include "shade/transport/whitted.h"
 
@@ -13,16 +13,6 @@ namespace {
 
 /// So many holes a ray goes through before one counts as closed.
 constexpr std::uint16_t kMaxPasses = 256;
-
-/// What the medium around a ray leaves of light that runs a way in it.
-Color transmittance(const LitWorld& lit, const Media& media, float length) {
-    const Color absorption = lit.materials.average(media.innermost()).absorption;
-    Color result{1.0f};
-    for (int channel = 0; channel < 3; ++channel) {
-        if (absorption[channel] > 0.0f) result[channel] = std::exp(-absorption[channel] * length);
-    }
-    return result;
-}
 
 /// The weight of a light that a ray met by itself.
 float weight_of_light(const LitWorld& lit, const TransportRay& ray, std::uint32_t light) {
@@ -47,7 +37,10 @@ void add_what_is_behind(const WaveContext& context, const TransportRay& ray) {
 bool meets_surface(const WaveContext& context, TransportRay& ray, const bvh::Hit& hit) {
     const auto light = context.lit.lights.nearest_hit(ray.ray, shadow_interval(ray.ray, hit.t));
     const float t = light ? light->t : hit.t;
-    if (!ray.media.is_empty()) ray.weight *= transmittance(context.lit, ray.media, t);
+    if (!ray.media.is_empty()) {
+        const MaterialPoint& medium = context.lit.materials.average(ray.media.innermost());
+        ray.weight *= transmittance(medium.absorption, t);
+    }
     if (light) {
         context.add(ray, weight_of_light(context.lit, ray, light->light) * light->radiance);
         return false;

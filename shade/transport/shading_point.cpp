@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/place.h"
+#include "shade/across.h"
 #include "shade/material_normal.h"
 
 namespace lray::shade {
@@ -26,21 +27,13 @@ Vec3 turned_to(Vec3 wo, Vec3 normal) {
     return unit(normal + (kLeastFacing - cosine) * wo);
 }
 
-/// Returns a unit vector at right angles to a unit vector.
-/// Source: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
-Vec3 any_tangent(Vec3 n) {
-    const float sign = std::copysign(1.0f, n.z);
-    const float a = -1.0f / (sign + n.z);
-    return {1.0f + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
-}
-
 /// Returns the part of `along` at right angles to the normal, unit; any direction if there is none.
 Vec3 tangent_along(Vec3 along, Vec3 normal) {
     const DVec3 n{normal};
-    const DVec3 across = DVec3{along} - dot(n, DVec3{along}) * n;
-    const double length2 = dot(across, across);
-    if (!(length2 > 0.0 && std::isfinite(length2))) return any_tangent(normal);
-    return Vec3{across / std::sqrt(length2)};
+    const DVec3 aside = DVec3{along} - dot(n, DVec3{along}) * n;
+    const double length2 = dot(aside, aside);
+    if (!(length2 > 0.0 && std::isfinite(length2))) return Vec3{across(n).x};
+    return Vec3{aside / std::sqrt(length2)};
 }
 
 /// How far a pixel reaches in uv, along u and v on average.

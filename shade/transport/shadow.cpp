@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "scene/place.h"
+#include "shade/transport/absorption.h"
 #include "shade/transport/shading_point.h"
 #include "shade/transport/wave_size.h"
 
@@ -25,15 +26,6 @@ bool casts_shadow(const scene::World& world, const bvh::Hit& hit) {
     return geometry.object(geometry.object_of(hit.primitive_id)).casts_shadow &&
            std::ranges::all_of(path.steps,
                                [](const auto& step) { return step.object->casts_shadow; });
-}
-
-/// What is lost of light that runs a way inside of a material.
-Color transmittance(const MaterialPoint& material, float length) {
-    Color result{};
-    for (int channel = 0; channel < 3; ++channel) {
-        result[channel] = std::exp(-material.absorption[channel] * length);
-    }
-    return result;
 }
 
 /// What is around the shadow ray: where it entered what it is inside of.
@@ -79,7 +71,7 @@ Color light_share(const LitWorld& lit, ShadowKind kind, const Ray& ray, Interval
         if (point.is_outside) {
             inside.enter(point.material_id, hit.t);
         } else {
-            share *= transmittance(material, hit.t - inside.leave(point.material_id));
+            share *= transmittance(material.absorption, hit.t - inside.leave(point.material_id));
         }
     }
     return share;

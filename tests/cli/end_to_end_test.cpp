@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <unistd.h>
+#include <cstring>
 #include <filesystem>
 
 #include <array>
@@ -53,6 +54,20 @@ TEST_F(EndToEnd, FormatsAndStreamsShowTheSamePicture) {
     EXPECT_EQ(streamed.exit_code, 0) << streamed.err;
     EXPECT_EQ(streamed.out, directory_.read("a.ppm"));
     EXPECT_EQ(streamed.err, "");
+}
+
+TEST_F(EndToEnd, PfmHoldsTheLightBeforeItsDisplay) {
+    directory_.write("scene.lrs",
+                     "render { exposure: 3, tonemap: \"aces\", resolution: [1, 1] }\n"
+                     "camera { position: [0, 0, 5] }\npoint_light { position: [0, 0, 2] }\n"
+                     "plane { normal: [0, 0, 1], material { diffuse: 0, specular: 0, emission: "
+                     "6.25 } }\n");
+    ASSERT_EQ(run({"scene.lrs", "-o", "a.pfm", "--quiet"}).exit_code, 0);
+    const std::string file = directory_.read("a.pfm");
+    float red = 0.0f;
+    ASSERT_GT(file.size(), 12u);
+    std::memcpy(&red, file.data() + file.size() - 12, sizeof red);
+    EXPECT_EQ(red, 6.25f);
 }
 
 TEST_F(EndToEnd, ThreadsAndCropsDoNotChangeAPixel) {

@@ -262,8 +262,8 @@ TEST(CameraRays, HugeAndTinyFocusKeepTheDirection) {
 TEST(CameraRays, AConeIsAsWideAsThePixelsOnASphereAround) {
     const CameraRays rays(camera_with(90.0), {400, 200});
     for (const DVec2 position : {DVec2{200.0, 100.0}, DVec2{0.0, 0.0}, DVec2{391.0, 17.0}}) {
-        const PixelCone cone = rays.cone(position);
-        EXPECT_EQ(cone.width_at_origin, 0.0);
+        const shade::RayCone cone = rays.cone(position);
+        EXPECT_EQ(cone.width, 0.0f);
         // Neighbours in the direction around the middle of the picture are that far apart.
         const DVec2 out = position - DVec2{200.0, 100.0};
         const double length = std::sqrt(dot(out, out));
@@ -272,15 +272,15 @@ TEST(CameraRays, AConeIsAsWideAsThePixelsOnASphereAround) {
                             DVec3(rays.through(position - 0.5 * around).dir);
         EXPECT_NEAR(cone.spread, std::sqrt(dot(apart, apart)), 3e-7);
     }
-    EXPECT_NEAR(rays.cone({200.0, 100.0}).spread, 0.01, 1e-9);
+    EXPECT_NEAR(rays.cone({200.0, 100.0}).spread, 0.01f, 1e-9f);
 }
 
 TEST(CameraRays, ConesOfOtherProjections) {
     scene::Camera camera;
     camera.projection = scene::Projection::orthographic;
     camera.height = 3.0;
-    EXPECT_EQ(CameraRays(camera, {40, 30}).cone({1.0, 2.0}).width_at_origin, 0.1);
-    EXPECT_EQ(CameraRays(camera, {40, 30}).cone({1.0, 2.0}).spread, 0.0);
+    EXPECT_EQ(CameraRays(camera, {40, 30}).cone({1.0, 2.0}).width, 0.1f);
+    EXPECT_EQ(CameraRays(camera, {40, 30}).cone({1.0, 2.0}).spread, 0.0f);
     camera.projection = scene::Projection::panorama;
     const CameraRays rays(camera, {40, 20});
     const DVec3 apart =

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/angle.h"
+#include "shade/transport/shadow.h"
 #include "tests/shade/chi_square.h"
 #include "tests/shade/lights/light_means.h"
 
@@ -48,8 +49,7 @@ TEST(BallLight, PointIsTheFormulaOfItsDistance) {
                 EXPECT_NEAR(sample->wi[c], wi[c], 1e-7 + 5e-14 / d);
             }
             EXPECT_EQ(sample->pdf, 0.0f);
-            EXPECT_LT(sample->distance, d);
-            EXPECT_GT(sample->distance, d * 0.9999);
+            EXPECT_FLOAT_EQ(sample->distance, static_cast<float>(d));
         }
     }
 }
@@ -116,10 +116,11 @@ TEST(BallLight, ShadowRaysEndInFrontOfWhereItIsSeen) {
         const BallLight light = ball_at(origin + d * test::sphere_direction(random), radius);
         const auto sample = light.sample(origin, {random.uniform(0.0, 0.99), random.uniform()});
         ASSERT_TRUE(sample);
-        const auto seen = light.hit({Vec3(origin), sample->wi}, {});
+        const Ray ray{Vec3(origin), sample->wi};
+        const auto seen = light.hit(ray, {});
         ASSERT_TRUE(seen) << d << " " << radius;
-        EXPECT_LT(sample->distance, *seen);
-        EXPECT_GT(sample->distance, 0.999f * *seen);
+        EXPECT_LT(shadow_interval(ray, sample->distance).hi, *seen);
+        EXPECT_NEAR(sample->distance, *seen, 0.001f * *seen);
     }
 }
 

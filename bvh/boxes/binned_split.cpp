@@ -154,14 +154,13 @@ std::uint64_t weight_of(std::span<const BuildRef> refs, const RefSet& set) {
 
 bool can_be_leaf(const RefSet& set) {
     if (!set.summary.is_of_one_class()) return false;
-    const bool has_blocks = set.summary.only_class() <= RefClass::sphere;
-    return set.count() <= (has_blocks ? kMaxLeafCount * kBoxWidth : kMaxLeafCount);
+    const bool is_in_blocks = has_blocks(set.summary.only_class());
+    return set.count() <= (is_in_blocks ? kMaxLeafCount * kBoxWidth : kMaxLeafCount);
 }
 
 Split find_split(const SplitRules& rules, std::span<const BuildRef> refs, const RefSet& set) {
     const bool is_of_one_class = set.summary.is_of_one_class();
-    const bool has_blocks = is_of_one_class && set.summary.only_class() <= RefClass::sphere;
-    if (set.count() <= (has_blocks ? kBoxWidth : 1)) return {};
+    if (is_of_one_class && (set.count() == 1 || weight_of(refs, set) <= kBoxWidth)) return {};
     const Measure& measure = rules.measure;
     const double size = measure(set.summary.box);
     const BinMap map = make_bin_map(set.summary.centers, bin_count_for(set.count(), rules.quality));

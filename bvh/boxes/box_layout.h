@@ -6,22 +6,21 @@
 
 namespace lray::bvh {
 
-/// Children of a node, triangles or spheres of a block.
+/// Children of a node, primitives of a block.
 inline constexpr std::uint32_t kBoxWidth = 8;
 
 /// No path from the root has more nodes.
 inline constexpr std::uint32_t kMaxBoxDepth = 64;
 
-/// What a child is. Nodes: where one lies. Leaves: `count` blocks or listed primitives from
-/// `first` on.
-enum class BoxChildKind : std::uint32_t { node, triangles, spheres, list };
+/// What a child is. Nodes: where one lies. Leaves: `count` blocks or instances from `first` on.
+enum class BoxChildKind : std::uint32_t { node, triangles, spheres, framed, instances };
 
-inline constexpr unsigned kBoxKindShift = 30;
-inline constexpr unsigned kBoxCountShift = 27;
+inline constexpr unsigned kBoxKindShift = 29;
+inline constexpr unsigned kBoxCountShift = 26;
 inline constexpr std::uint32_t kMaxLeafCount = 8;  // stored less one, in three bits
 inline constexpr std::uint32_t kMaxLeafFirst = (std::uint32_t{1} << kBoxCountShift) - 1;
 
-/// A BoxChildKind in the two top bits. A node: its index times kNodeUnits below, so that its
+/// A BoxChildKind in the three top bits. A node: its index times kNodeUnits below, so that its
 /// address takes a shift. A leaf: the count less one in three bits, then `first`.
 using BoxChild = std::uint32_t;
 inline constexpr BoxChild kFirstLeaf = BoxChild{1} << kBoxKindShift;
@@ -58,14 +57,29 @@ struct alignas(32) SphereBlock {
 };
 static_assert(sizeof(SphereBlock) == 160);
 
+/// Primitives of the kinds with an affine frame, by lane, as in TriangleBlock: each is inside of a
+/// cylinder around +Y of its object space, from y = bottom to y = top. Shape:
+/// object_from_world[column][row][lane].
+struct alignas(32) FramedBlock {
+    float origin[3][kBoxWidth];
+    float object_from_world[3][3][kBoxWidth];
+    float stretch[kBoxWidth];  // the sum of the sizes of the numbers of the map
+    float radius[kBoxWidth];
+    float bottom[kBoxWidth];
+    float top[kBoxWidth];
+    std::uint32_t ids[kBoxWidth];
+};
+static_assert(sizeof(FramedBlock) == 544);
+
 /// A tree as it is traced. The root is a child of no node; planes are not in the tree.
 struct BoxTreeView {
     BoxChild root = 0;
     bool is_empty = true;
     const BoxNode* nodes = nullptr;
     const TriangleBlock* triangles = nullptr;
-    const SphereBlock* spheres = nullptr;  // null: there are none
-    const std::uint32_t* list = nullptr;   // values of PrimitiveId; a leaf lists one kind only
+    const SphereBlock* spheres = nullptr;
+    const FramedBlock* framed = nullptr;
+    const std::uint32_t* instances = nullptr;  // values of PrimitiveId
 };
 
 }  // namespace lray::bvh

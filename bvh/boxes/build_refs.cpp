@@ -27,15 +27,11 @@ RefClass class_of(PrimitiveKind kind) {
         case PrimitiveKind::sphere:
             return RefClass::sphere;
         case PrimitiveKind::ellipsoid:
-            return RefClass::ellipsoid;
         case PrimitiveKind::cylinder:
-            return RefClass::cylinder;
         case PrimitiveKind::disk:
-            return RefClass::disk;
         case PrimitiveKind::box:
-            return RefClass::box;
         case PrimitiveKind::torus:
-            return RefClass::torus;
+            return RefClass::framed;
         case PrimitiveKind::instance:
             return RefClass::instance;
         case PrimitiveKind::plane:

@@ -13,22 +13,22 @@
 
 namespace lray::bvh {
 
-/// What may share a leaf. All classes but the first two are one kind of primitive each.
+/// What may share a leaf.
 enum class RefClass : std::uint8_t {
     triangle,  // and halves of rectangles
     sphere,
-    ellipsoid,
-    cylinder,
-    disk,
-    box,
-    torus,
+    framed,  // all other kinds that have a surface, bounded
     instance,
 };
-inline constexpr unsigned kRefClassCount = 8;
+inline constexpr unsigned kRefClassCount = 4;
 
-/// What a test costs, in eighths of that of a block of triangles: those of the kinds in lists are
-/// made one by one and in double, and an instance has a tree of its own.
-inline constexpr std::uint32_t kRefWeights[kRefClassCount] = {1, 1, 16, 20, 12, 16, 80, 80};
+inline constexpr bool has_blocks(RefClass ref_class) {
+    return ref_class != RefClass::instance;
+}
+
+/// What a test costs, in eighths of that of a block of triangles: what a block leaves of the framed
+/// ones is met one by one and in double, and an instance has a tree of its own.
+inline constexpr std::uint32_t kRefWeights[kRefClassCount] = {1, 1, 4, 80};
 
 /// A box with the primitive in it. No coordinate is -0, so that the least of several is the same
 /// in any order.

@@ -18,13 +18,21 @@ namespace {
 constexpr std::uint32_t kTaskCount = 1u << 13;
 
 BoxChildKind leaf_kind(RefClass ref_class) {
-    return ref_class == RefClass::triangle ? BoxChildKind::triangles
-           : ref_class == RefClass::sphere ? BoxChildKind::spheres
-                                           : BoxChildKind::list;
+    switch (ref_class) {
+        case RefClass::triangle:
+            return BoxChildKind::triangles;
+        case RefClass::sphere:
+            return BoxChildKind::spheres;
+        case RefClass::framed:
+            return BoxChildKind::framed;
+        case RefClass::instance:
+            break;
+    }
+    return BoxChildKind::instances;
 }
 
 std::uint32_t leaf_size(BoxChildKind kind, std::uint32_t ref_count) {
-    return kind == BoxChildKind::list ? ref_count : (ref_count + kBoxWidth - 1) / kBoxWidth;
+    return kind == BoxChildKind::instances ? ref_count : (ref_count + kBoxWidth - 1) / kBoxWidth;
 }
 
 BoxNode empty_node() {

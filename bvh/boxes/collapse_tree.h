@@ -16,20 +16,23 @@ struct BoxTreeCounts {
     std::uint32_t nodes = 0;
     std::uint32_t triangle_blocks = 0;
     std::uint32_t sphere_blocks = 0;
-    std::uint32_t listed = 0;
+    std::uint32_t framed_blocks = 0;
+    std::uint32_t instances = 0;
 
     /// Of what leaves of that kind index.
     std::uint32_t& of(BoxChildKind kind) {
         return kind == BoxChildKind::node        ? nodes
                : kind == BoxChildKind::triangles ? triangle_blocks
                : kind == BoxChildKind::spheres   ? sphere_blocks
-                                                 : listed;
+               : kind == BoxChildKind::framed    ? framed_blocks
+                                                 : instances;
     }
     BoxTreeCounts& operator+=(const BoxTreeCounts& other) {
         nodes += other.nodes;
         triangle_blocks += other.triangle_blocks;
         sphere_blocks += other.sphere_blocks;
-        listed += other.listed;
+        framed_blocks += other.framed_blocks;
+        instances += other.instances;
         return *this;
     }
 };

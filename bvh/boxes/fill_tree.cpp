@@ -3,6 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "base/assert.h"
@@ -20,14 +22,16 @@ std::size_t round_up_to_lines(std::size_t byte_count) {
 struct Layout {
     std::size_t triangles = 0;
     std::size_t spheres = 0;
-    std::size_t list = 0;
+    std::size_t framed = 0;
+    std::size_t instances = 0;
     std::size_t size = 0;
 
     explicit Layout(const BoxTreeCounts& counts)
         : triangles(round_up_to_lines(counts.nodes * sizeof(BoxNode))),
           spheres(round_up_to_lines(triangles + counts.triangle_blocks * sizeof(TriangleBlock))),
-          list(round_up_to_lines(spheres + counts.sphere_blocks * sizeof(SphereBlock))),
-          size(list + counts.listed * sizeof(std::uint32_t)) {}
+          framed(round_up_to_lines(spheres + counts.sphere_blocks * sizeof(SphereBlock))),
+          instances(round_up_to_lines(framed + counts.framed_blocks * sizeof(FramedBlock))),
+          size(instances + counts.instances * sizeof(std::uint32_t)) {}
 };
 
 /// The arrays of a tree while they are written.
@@ -35,7 +39,8 @@ struct Arrays {
     BoxNode* nodes = nullptr;
     TriangleBlock* triangles = nullptr;
     SphereBlock* spheres = nullptr;
-    std::uint32_t* list = nullptr;
+    FramedBlock* framed = nullptr;
+    std::uint32_t* instances = nullptr;
 };
 
 Arrays arrays_in(const Arena& arena, const BoxTreeCounts& counts) {
@@ -46,7 +51,8 @@ Arrays arrays_in(const Arena& arena, const BoxTreeCounts& counts) {
     arrays.nodes = reinterpret_cast<BoxNode*>(data);
     arrays.triangles = reinterpret_cast<TriangleBlock*>(data + layout.triangles);
     arrays.spheres = reinterpret_cast<SphereBlock*>(data + layout.spheres);
-    arrays.list = reinterpret_cast<std::uint32_t*>(data + layout.list);
+    arrays.framed = reinterpret_cast<FramedBlock*>(data + layout.framed);
+    arrays.instances = reinterpret_cast<std::uint32_t*>(data + layout.instances);
     return arrays;
 }
 
@@ -79,6 +85,62 @@ void fill_block(SphereBlock& block, const scene::Geometry& geometry,
     }
 }
 
+/// A cylinder around +Y of an object space.
+struct Bound {
+    const scene::AffineFrame& frame;
+    double radius = 1.0;
+    double bottom = -1.0;
+    double top = 1.0;
+};
+
+Bound bound_of(const scene::Geometry& geometry, scene::PrimitiveId id) {
+    switch (id.kind()) {
+        case scene::PrimitiveKind::ellipsoid:
+            return {geometry.ellipsoids[id.index()].frame};
+        case scene::PrimitiveKind::cylinder:
+            return {geometry.cylinders[id.index()].frame, 1.0, 0.0, 1.0};
+        case scene::PrimitiveKind::disk:
+            return {geometry.disks[id.index()].frame, 1.0, 0.0, 0.0};
+        case scene::PrimitiveKind::box:
+            return {geometry.boxes[id.index()].frame, std::numbers::sqrt2};
+        case scene::PrimitiveKind::torus: {
+            const scene::Torus& torus = geometry.tori[id.index()];
+            const double tube = static_cast<double>(torus.tube);
+            return {torus.frame, 1.0, -tube, tube};
+        }
+        case scene::PrimitiveKind::triangle:
+        case scene::PrimitiveKind::rectangle:
+        case scene::PrimitiveKind::sphere:
+        case scene::PrimitiveKind::plane:
+        case scene::PrimitiveKind::instance:
+            break;
+    }
+    LRAY_ASSERT(false);
+}
+
+void fill_block(FramedBlock& block, const scene::Geometry& geometry,
+                std::span<const BuildRef> refs) {
+    std::ranges::fill(block.ids, kNoLane);
+    for (std::size_t lane = 0; lane < refs.size(); ++lane) {
+        const Bound bound = bound_of(geometry, scene::PrimitiveId::of_value(refs[lane].id));
+        double stretch = 0.0;
+        for (int column = 0; column < 3; ++column) {
+            const auto at = static_cast<std::size_t>(column);
+            block.origin[at][lane] = bound.frame.origin[column];
+            for (int row = 0; row < 3; ++row) {
+                const float number = bound.frame.object_from_world[column][row];
+                block.object_from_world[at][static_cast<std::size_t>(row)][lane] = number;
+                stretch += std::fabs(static_cast<double>(number));
+            }
+        }
+        block.stretch[lane] = static_cast<float>(stretch);
+        block.radius[lane] = static_cast<float>(bound.radius);
+        block.bottom[lane] = static_cast<float>(bound.bottom);
+        block.top[lane] = static_cast<float>(bound.top);
+        block.ids[lane] = refs[lane].id;
+    }
+}
+
 template <class Block>
 Block* fill_blocks(Block* block, const scene::Geometry& geometry, std::span<const BuildRef> refs) {
     while (!refs.empty()) {
@@ -101,8 +163,11 @@ void fill_leaves(Arrays arrays, const scene::Geometry& geometry, std::span<const
             case BoxChildKind::spheres:
                 arrays.spheres = fill_blocks(arrays.spheres, geometry, members);
                 break;
-            case BoxChildKind::list:
-                for (const BuildRef& ref : members) *arrays.list++ = ref.id;
+            case BoxChildKind::framed:
+                arrays.framed = fill_blocks(arrays.framed, geometry, members);
+                break;
+            case BoxChildKind::instances:
+                for (const BuildRef& ref : members) *arrays.instances++ = ref.id;
                 break;
             case BoxChildKind::node:
                 LRAY_ASSERT(leaf.kind != BoxChildKind::node);
@@ -151,7 +216,8 @@ void write_part(const PlacedPart& placed, Arrays arrays, const scene::Geometry& 
     }
     arrays.triangles += before.triangle_blocks;
     arrays.spheres += before.sphere_blocks;
-    arrays.list += before.listed;
+    arrays.framed += before.framed_blocks;
+    arrays.instances += before.instances;
     fill_leaves(arrays, geometry, refs, part.leaves);
 }
 
@@ -164,13 +230,14 @@ BoxTree fill_tree(const scene::Geometry& geometry, std::span<const BuildRef> ref
     std::vector<PlacedPart> placed;
     const BoxChild root = place(whole, counts, placed);
     LRAY_ASSERT(counts.nodes < kMaxBoxNodes && counts.triangle_blocks <= kMaxLeafFirst &&
-                counts.sphere_blocks <= kMaxLeafFirst && counts.listed <= kMaxLeafFirst);
+                counts.sphere_blocks <= kMaxLeafFirst && counts.framed_blocks <= kMaxLeafFirst &&
+                counts.instances <= kMaxLeafFirst);
     tree.arena = Arena(Layout(counts).size);
     const Arrays arrays = arrays_in(tree.arena, counts);
     tbb::parallel_for(std::size_t{0}, placed.size(),
                       [&](std::size_t i) { write_part(placed[i], arrays, geometry, refs); });
-    SphereBlock* const spheres = counts.sphere_blocks > 0 ? arrays.spheres : nullptr;
-    tree.view = {root, false, arrays.nodes, arrays.triangles, spheres, arrays.list};
+    tree.view = {root,           false,         arrays.nodes,    arrays.triangles,
+                 arrays.spheres, arrays.framed, arrays.instances};
     for (const PlacedPart& some : placed) {
         tree.stats.leaves += some.part->leaves.size();
         tree.stats.references += some.part->ref_count;

@@ -17,9 +17,6 @@ namespace {
 using scene::PrimitiveId;
 using scene::PrimitiveKind;
 
-/// How far the tests of spheres in float are off, in parts of the distances they work with.
-constexpr double kSphereSlack = 0x1p-20;
-
 Hit meet(const PartWalk& walk, PrimitiveId id) {
     Hit hit = intersect(walk.geometry(), id, walk.prepared(), walk.interval);
     hit.place = walk.place;
@@ -112,17 +109,16 @@ Met nearest_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
     return self.keep(meet(self, block, lane)) ? Met::nearer_hit : Met::nothing;
 }
 
+Met nearest_framed(Walk& walk, std::uint32_t id) {
+    auto& self = static_cast<PartWalk&>(walk);
+    return self.keep(meet(self, PrimitiveId::of_value(id))) ? Met::nearer_hit : Met::nothing;
+}
+
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-Met nearest_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
+Met nearest_instances(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
     auto& self = static_cast<PartWalk&>(walk);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const PrimitiveId id = PrimitiveId::of_value(ids[i]);
-        if (id.kind() == PrimitiveKind::instance) {
-            nearest_in(self, self.geometry().instances[id.index()]);
-        } else {
-            ++self.primitive_tests;
-            self.keep(meet(self, id));
-        }
+        nearest_in(self, self.geometry().instances[PrimitiveId::of_value(ids[i]).index()]);
     }
     return Met::nearer_hit;  // perhaps
 }
@@ -144,38 +140,26 @@ Met any_sphere(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
                : Met::nothing;
 }
 
+Met any_framed(Walk& walk, std::uint32_t value) {
+    const auto& self = static_cast<const PartWalk&>(walk);
+    const PrimitiveId id = PrimitiveId::of_value(value);
+    return self.casts_shadow(id) && !meet(self, id).is_none() ? Met::end : Met::nothing;
+}
+
 // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-Met any_listed(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
-    auto& self = static_cast<PartWalk&>(walk);
+Met any_instances(Walk& walk, const std::uint32_t* ids, std::uint32_t count) {
+    const auto& self = static_cast<const PartWalk&>(walk);
     const bool is_hit = std::any_of(ids, ids + count, [&](std::uint32_t value) {
         const PrimitiveId id = PrimitiveId::of_value(value);
-        if (!self.casts_shadow(id)) return false;
-        if (id.kind() == PrimitiveKind::instance) {
-            return any_in(self, self.geometry().instances[id.index()]);
-        }
-        ++self.primitive_tests;
-        return !meet(self, id).is_none();
+        return self.casts_shadow(id) && any_in(self, self.geometry().instances[id.index()]);
     });
     return is_hit ? Met::end : Met::nothing;
 }
 
 }  // namespace
 
-const WalkCalls kNearestCalls{nearest_triangle, nearest_sphere, nearest_listed};
-const WalkCalls kAnyCalls{any_triangle, any_sphere, any_listed};
-
-SphereRay make_sphere_ray(const PreparedRay& ray) {
-    SphereRay result{};
-    const double length = std::sqrt(dot(ray.dir, ray.dir));
-    result.t_per_length = static_cast<float>(1.0 / length);
-    double origin_size = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        result.unit_dir[axis] = static_cast<float>(ray.dir[axis] / length);
-        origin_size += std::fabs(ray.origin[axis]);
-    }
-    result.origin_error = static_cast<float>(origin_size * kSphereSlack);
-    return result;
-}
+const WalkCalls kNearestCalls{nearest_triangle, nearest_sphere, nearest_framed, nearest_instances};
+const WalkCalls kAnyCalls{any_triangle, any_sphere, any_framed, any_instances};
 
 void PartWalk::meet_planes() {
     for (const PrimitiveId plane : part->tree.planes) {

@@ -31,8 +31,6 @@ inline float walk_begin(Interval interval) {
     return interval.lo > 0.0f ? interval.lo : 0.0f;
 }
 
-SphereRay make_sphere_ray(const PreparedRay& ray);
-
 /// What walks to the nearest hit, and to any hit, do with what they come upon.
 extern const WalkCalls kNearestCalls;
 extern const WalkCalls kAnyCalls;
@@ -54,7 +52,7 @@ struct PartWalk : Walk {
         reach = reach_of(interval.hi);
         node_tests = 0;
         primitive_tests = 0;
-        if (part->tree.view.spheres != nullptr) sphere_ray = make_sphere_ray(the_ray);
+        has_block_ray = false;
     }
 
     const BoxParts* parts;

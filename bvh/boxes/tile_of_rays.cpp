@@ -24,6 +24,7 @@ class TileOfRays : public Tile {
         counts.rays += rays.size();
         active = 0;
         node_tests = 0;
+        primitive_tests = 0;
         start = [](Tile& tile, std::uint32_t ray) -> Walk* {
             return static_cast<TileOfRays&>(tile).start_walk(ray);
         };
@@ -68,6 +69,7 @@ class TileOfRays : public Tile {
 
     void add_counts() {
         counts_.node_tests += node_tests;
+        counts_.primitive_tests += primitive_tests;
         for (std::uint32_t i = 0; i < count(); ++i) {
             if (walks[i] != nullptr) static_cast<const PartWalk*>(walks[i])->add_counts();
         }

@@ -39,6 +39,15 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
     return hn::MaxLanes(d) > 8 ? bits[0] | static_cast<std::uint32_t>(bits[1]) << 8 : bits[0];
 }
 
+/// Returns which lanes of a step hold a primitive, a bit each, and counts them as tested.
+HWY_INLINE std::uint32_t lanes_there(const std::uint32_t* ids, Walk& walk) {
+    const Words w;
+    const auto is_there = hn::Ne(hn::Load(w, ids), hn::Set(w, kNoLane));
+    const std::uint32_t there = bits_of(Floats(), hn::RebindMask(Floats(), is_there));
+    walk.primitive_tests += hwy::PopCount(there);
+    return there;
+}
+
 /// The greater of two floats, by their bits as whole numbers, which takes a fourth of the time of
 /// floats. Of negative ones it is any: a walk asks for what is greater than `lo`.
 template <class D, class V = hn::Vec<D>>

@@ -11,15 +11,10 @@
 
 #include <hwy/highway.h>
 
-#include "bvh/simd/ray_walk-inl.h"
+#include "bvh/simd/tile_leaf-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lray::bvh::HWY_NAMESPACE {
-
-using RayFloats = hn::CappedTag<float, 16>;
-using RayVec = hn::Vec<RayFloats>;
-inline constexpr std::uint32_t kRayStep = static_cast<std::uint32_t>(hn::MaxLanes(RayFloats()));
-inline constexpr std::uint64_t kStepBits = (std::uint64_t{1} << kRayStep) - 1;
 
 /// So few rays go their ways alone.
 inline constexpr std::size_t kFewRays = 4;
@@ -171,14 +166,10 @@ struct TileWaiting {
 /// Returns the walk of a ray, ready to go on.
 HWY_INLINE Walk& walk_of(Tile& tile, std::size_t ray, std::uint64_t& prepared) {
     const std::uint64_t bit = std::uint64_t{1} << ray;
-    if ((prepared & bit) == 0) {
-        if (tile.walks[ray] == nullptr) {
-            tile.walks[ray] = tile.start(tile, static_cast<std::uint32_t>(ray));
-        }
-        prepare_ray(*tile.walks[ray]->ray);
-        prepared |= bit;
-    }
-    return *tile.walks[ray];
+    Walk& walk = started_walk(tile, ray);
+    if ((prepared & bit) == 0) prepare_ray(*walk.ray);
+    prepared |= bit;
+    return walk;
 }
 
 /// Walks what is below a child with some rays, each on its own.
@@ -221,6 +212,7 @@ HWY_INLINE bool walk_tile(const BoxTreeView& tree, Tile& tile) {
     bounds.lo = spread(least_of(tile.lo, count));
     FloatVec reach = spread(most_of(tile.reach, count));
     std::uint64_t prepared = 0;  // a bit for each ray whose own floats are
+    bool has_units = false;
     TileWaiting stack[kMaxWaiting];
     TileWaiting* top = stack;
     *top++ = {nullptr, tile.active, tree.root, hn::GetLane(bounds.lo)};
@@ -231,7 +223,13 @@ HWY_INLINE bool walk_tile(const BoxTreeView& tree, Tile& tile) {
         if (current.planes != nullptr) rays = rays_in(current.planes, tile, rays);
         if (rays == 0) continue;
         if (current.child >= kFirstLeaf || hwy::PopCount(rays) <= kFewRays) {
-            walk_alone<is_ordered>(tree, current.child, rays, tile, prepared);
+            if (hwy::PopCount(rays) > kFewRays && is_bounded(current.child)) {
+                if (!has_units) prepare_units(tile);
+                has_units = true;
+                meet_bounded_leaf(tree, current.child, rays, tile);
+            } else {
+                walk_alone<is_ordered>(tree, current.child, rays, tile, prepared);
+            }
             if (tile.active == 0) break;
             reach = spread(most_of(tile.reach, count));
             continue;

@@ -13,11 +13,10 @@ namespace lray::bvh {
 /// Each node on the way down leaves at most all its children but one waiting.
 inline constexpr std::uint32_t kMaxWaiting = kMaxBoxDepth * (kBoxWidth - 1) + 1;
 
-/// What the blocks of spheres are tested with, where the tree has any: the direction made unit, and
-/// how far apart t is on it.
-struct SphereRay {
+/// What the blocks of spheres and of framed primitives are tested with.
+struct BlockRay {
     float unit_dir[3];
-    float t_per_length;
+    float t_per_length;  // along unit_dir
     float origin_error;  // of the distance of anything from the origin
 };
 
@@ -43,7 +42,8 @@ struct WalkCalls {
     Met (*meet_triangle)(Walk& walk, const TriangleBlock& block, std::uint32_t lane,
                          const TriangleFinds& finds);
     Met (*meet_sphere)(Walk& walk, const SphereBlock& block, std::uint32_t lane);
-    Met (*meet_listed)(Walk& walk, const std::uint32_t* ids, std::uint32_t count);
+    Met (*meet_framed)(Walk& walk, std::uint32_t id);
+    Met (*meet_instances)(Walk& walk, const std::uint32_t* ids, std::uint32_t count);
 };
 
 /// One ray on its way through one tree.
@@ -56,7 +56,8 @@ struct Walk {
     float reach;  // what is entered beyond it cannot hold a hit that counts: reach_of(hi)
     std::uint64_t node_tests;
     std::uint64_t primitive_tests;
-    SphereRay sphere_ray;
+    bool has_block_ray;
+    BlockRay block_ray;  // made by the first leaf that needs it
 };
 
 /// The most rays that walk together: a bit of 64 each.
@@ -77,12 +78,17 @@ struct alignas(64) Tile {
     float inv_dir_far[3][kMaxTileRays];
     std::uint32_t near_side[3];
 
+    // As in BlockRay; worked out for all rays when the first needs it.
+    alignas(64) float unit_dir[3][kMaxTileRays];
+    float t_per_length[kMaxTileRays];
+
     /// Returns the walk of a ray that comes to a leaf, made there and then.
     Walk* (*start)(Tile& tile, std::uint32_t ray);
     Walk* walks[kMaxTileRays];  // null: not started
 
     std::uint64_t active;  // a bit for each ray; those whose walk was ended are taken out
     std::uint64_t node_tests;
+    std::uint64_t primitive_tests;  // beside those of the walks
 };
 
 /// The reach of what is no ray, or no more: it is in no box.

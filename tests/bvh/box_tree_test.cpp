@@ -62,8 +62,11 @@ class Checker {
             case BoxChildKind::spheres:
                 visit_spheres(child, box);
                 break;
-            case BoxChildKind::list:
-                visit_list(child, box);
+            case BoxChildKind::framed:
+                visit_framed(child, box);
+                break;
+            case BoxChildKind::instances:
+                visit_instances(child, box);
                 break;
         }
         ++leaf_count_;
@@ -133,15 +136,33 @@ class Checker {
         }
     }
 
-    void visit_list(BoxChild child, const Bounds* box) {
-        const std::uint32_t* const ids = tree_.view.list + leaf_first(child);
+    void visit_framed(BoxChild child, const Bounds* box) {
+        for (std::uint32_t i = 0; i < leaf_count(child); ++i) {
+            const FramedBlock& block = tree_.view.framed[leaf_first(child) + i];
+            bool is_over = false;
+            EXPECT_NE(block.ids[0], kNoLane);
+            for (std::uint32_t lane = 0; lane < kBoxWidth; ++lane) {
+                if (block.ids[lane] == kNoLane) {
+                    is_over = true;
+                    continue;
+                }
+                EXPECT_FALSE(is_over);
+                const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
+                EXPECT_NE(id.kind(), PrimitiveKind::triangle);
+                EXPECT_NE(id.kind(), PrimitiveKind::rectangle);
+                EXPECT_NE(id.kind(), PrimitiveKind::sphere);
+                EXPECT_NE(id.kind(), PrimitiveKind::plane);
+                EXPECT_NE(id.kind(), PrimitiveKind::instance);
+                hold(id, primitive_bounds(geometry_, id), box);
+            }
+        }
+    }
+
+    void visit_instances(BoxChild child, const Bounds* box) {
+        const std::uint32_t* const ids = tree_.view.instances + leaf_first(child);
         for (std::uint32_t i = 0; i < leaf_count(child); ++i) {
             const PrimitiveId id = PrimitiveId::of_value(ids[i]);
-            EXPECT_EQ(id.kind(), PrimitiveId::of_value(ids[0]).kind());
-            EXPECT_NE(id.kind(), PrimitiveKind::triangle);
-            EXPECT_NE(id.kind(), PrimitiveKind::rectangle);
-            EXPECT_NE(id.kind(), PrimitiveKind::sphere);
-            EXPECT_NE(id.kind(), PrimitiveKind::plane);
+            ASSERT_EQ(id.kind(), PrimitiveKind::instance);
             hold(id, primitive_bounds(geometry_, id), box);
         }
     }

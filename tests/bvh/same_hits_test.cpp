@@ -118,6 +118,30 @@ void fill_slivers(World& world, Random& random, float scale) {
     }
 }
 
+/// Of all kinds with a frame, thin, long and skewed: hard on what bounds them.
+void fill_stretched(World& world, Random& random, float scale) {
+    const auto any_frame = [&] {
+        DMat3 stretch{1.0};
+        for (int axis = 0; axis < 3; ++axis) {
+            const float size = scale * std::pow(10.0f, random.uniform(-3.0f, 0.5f));
+            stretch[axis][axis] = static_cast<double>(random.below(4) == 0 ? -size : size);
+        }
+        return make_frame(random.rotation() * stretch * random.rotation(),
+                          random.in_cube(4.0f * scale));
+    };
+    const int count = 1 + random.below(120);
+    for (int i = 0; i < count; ++i) {
+        const int kind = random.below(5);
+        if (kind == 0) add_ellipsoid(world, any_frame());
+        if (kind == 1) {
+            add_cylinder(world, any_frame(), random.uniform(0.0f, 1.0f), random.below(2) == 0);
+        }
+        if (kind == 2) add_disk(world, any_frame(), random.uniform(0.0f, 0.9f));
+        if (kind == 3) add_box(world, any_frame());
+        if (kind == 4) add_torus(world, any_frame(), random.uniform(0.01f, 1.0f));
+    }
+}
+
 /// Enough for trees of several levels, and leaves of each kind.
 void fill_with_many(World& world, Random& random, float scale) {
     for (int i = 0; i < 1500; ++i) {
@@ -171,9 +195,16 @@ void fill_with_instances(World& world, Random& random, float scale) {
 }
 
 const std::vector<WorldForm> kForms = {
-    {"Uniform", fill_uniform},   {"Triangles", fill_with_triangles}, {"Grid", fill_grid},
-    {"Coplanar", fill_coplanar}, {"Duplicates", fill_duplicates},    {"Nested", fill_nested},
-    {"Slivers", fill_slivers},   {"Instances", fill_with_instances}, {"Many", fill_with_many, 12},
+    {"Uniform", fill_uniform},
+    {"Triangles", fill_with_triangles},
+    {"Grid", fill_grid},
+    {"Coplanar", fill_coplanar},
+    {"Duplicates", fill_duplicates},
+    {"Nested", fill_nested},
+    {"Slivers", fill_slivers},
+    {"Stretched", fill_stretched},
+    {"Instances", fill_with_instances},
+    {"Many", fill_with_many, 12},
 };
 
 /// Rays from anywhere, some along the axes and through the corners of what is there.
@@ -191,7 +222,14 @@ Ray random_ray(const World& world, Random& random, float scale) {
             dir[random.below(3)] = random.below(2) == 0 ? 1.0f : -1.0f;
             return {Vec3{whole(), whole(), whole()} - 8.0f * scale * dir, dir};
         }
-        case 2:  // at a vertex
+        case 2:  // at a vertex, or the origin of a frame
+            if (world.vertices.empty() && !world.cylinders.empty()) {
+                const int which = random.below(static_cast<int>(world.cylinders.size()));
+                const Vec3 way =
+                    world.cylinders[static_cast<std::size_t>(which)].frame.origin - origin;
+                const float length = std::sqrt(dot(way, way));
+                if (length > 0.0f) return {origin, way / length};
+            }
             if (!world.vertices.empty()) {
                 const Vec3 target = world.vertices[static_cast<std::size_t>(
                     random.below(static_cast<int>(world.vertices.size())))];

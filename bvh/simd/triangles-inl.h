@@ -1,13 +1,13 @@
-// The tests of one ray against eight triangles or spheres, for the processor that HWY_TARGET names.
-// Included once for each.
-// The arithmetic of triangles is that of kernels/triangle.h, operation by operation, so that it has
-// the same bits.
+// The test of one ray against eight triangles, for the processor that HWY_TARGET names. Included
+// once for each.
+// The arithmetic is that of kernels/triangle.h, operation by operation, so that it has the same
+// bits.
 
-#if defined(LRAY_BVH_SIMD_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef LRAY_BVH_SIMD_BLOCKS_INL_H
-#undef LRAY_BVH_SIMD_BLOCKS_INL_H
+#if defined(LRAY_BVH_SIMD_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LRAY_BVH_SIMD_TRIANGLES_INL_H
+#undef LRAY_BVH_SIMD_TRIANGLES_INL_H
 #else
-#define LRAY_BVH_SIMD_BLOCKS_INL_H
+#define LRAY_BVH_SIMD_TRIANGLES_INL_H
 #endif
 
 #include <hwy/highway.h>
@@ -106,15 +106,6 @@ HWY_INLINE std::uint32_t meet_triangle_boxes(const TriangleBlock& block, const W
         met |= bits_of(d, is_met) << i;
     }
     return met & bits;
-}
-
-/// Returns which lanes of a step hold a primitive, a bit each, and counts them as tested.
-HWY_INLINE std::uint32_t lanes_there(const std::uint32_t* ids, Walk& walk) {
-    const Words w;
-    const auto is_there = hn::Ne(hn::Load(w, ids), hn::Set(w, kNoLane));
-    const std::uint32_t there = bits_of(Floats(), hn::RebindMask(Floats(), is_there));
-    walk.primitive_tests += hwy::PopCount(there);
-    return there;
 }
 
 using Doubles = hn::CappedTag<double, 4>;
@@ -226,49 +217,6 @@ HWY_INLINE std::uint32_t meet_triangles(const TriangleBlock& block, Walk& walk,
     }
     if (bits != 0) bits = meet_triangle_boxes(block, walk, bits, finds);
     return bits == 0 ? 0 : meet_triangle_planes(block, walk, bits, finds);
-}
-
-/// Returns which spheres of a block the ray may meet between `lo` and `reach`, a bit each: none is
-/// missed that sphere.h finds, as the spheres are taken larger by all that float loses.
-HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, Walk& walk) {
-    const Floats d;
-    constexpr float kSlack = 0x1p-19f;
-    constexpr float kLeast = 0x1p-126f;
-    const SphereRay& ray = walk.sphere_ray;
-    const float* const origin = walk.ray->origin_float;
-    const FloatVec dir_x = hn::Set(d, ray.unit_dir[0]);
-    const FloatVec dir_y = hn::Set(d, ray.unit_dir[1]);
-    const FloatVec dir_z = hn::Set(d, ray.unit_dir[2]);
-    const FloatVec t_per_length = hn::Set(d, ray.t_per_length);
-    std::uint32_t bits = 0;
-    for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
-        const FloatVec x = hn::Sub(hn::Load(d, block.center[0] + i), hn::Set(d, origin[0]));
-        const FloatVec y = hn::Sub(hn::Load(d, block.center[1] + i), hn::Set(d, origin[1]));
-        const FloatVec z = hn::Sub(hn::Load(d, block.center[2] + i), hn::Set(d, origin[2]));
-        const FloatVec radius = hn::Load(d, block.radius + i);
-        const FloatVec distance =
-            hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Add(hn::Abs(z), radius));
-        const FloatVec larger = hn::Add(
-            radius, hn::Add(hn::Mul(distance, hn::Set(d, kSlack)), hn::Set(d, ray.origin_error)));
-        const FloatVec along =
-            hn::Add(hn::Add(hn::Mul(x, dir_x), hn::Mul(y, dir_y)), hn::Mul(z, dir_z));
-        const FloatVec across_x = hn::Sub(x, hn::Mul(along, dir_x));
-        const FloatVec across_y = hn::Sub(y, hn::Mul(along, dir_y));
-        const FloatVec across_z = hn::Sub(z, hn::Mul(along, dir_z));
-        const FloatVec across =
-            hn::Add(hn::Add(hn::Mul(across_x, across_x), hn::Mul(across_y, across_y)),
-                    hn::Mul(across_z, across_z));
-        const FloatVec limit = hn::Add(hn::Mul(larger, larger), hn::Set(d, kLeast));
-        const FloatVec entry = hn::Mul(hn::Sub(along, larger), t_per_length);
-        const FloatVec exit = hn::Mul(hn::Add(along, larger), t_per_length);
-        // What is not a number is not left out.
-        const auto is_missed = hn::Or(
-            hn::Gt(across, limit),
-            hn::Or(hn::Gt(entry, hn::Set(d, walk.reach)), hn::Lt(exit, hn::Set(d, walk.lo))));
-        const std::uint32_t there = lanes_there(block.ids + i, walk);
-        bits |= (there & ~bits_of(d, is_missed)) << i;
-    }
-    return bits;
 }
 
 }  // namespace lray::bvh::HWY_NAMESPACE

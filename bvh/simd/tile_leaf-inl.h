@@ -1,0 +1,147 @@
+// What the rays of a tile do at a leaf of spheres or of framed primitives, for the processor that
+// HWY_TARGET names: one primitive after the other against vectors of rays. Included once for each.
+// The tests are those of bounds-inl.h.
+
+#if defined(LRAY_BVH_SIMD_TILE_LEAF_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LRAY_BVH_SIMD_TILE_LEAF_INL_H
+#undef LRAY_BVH_SIMD_TILE_LEAF_INL_H
+#else
+#define LRAY_BVH_SIMD_TILE_LEAF_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "bvh/simd/ray_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lray::bvh::HWY_NAMESPACE {
+
+using RayFloats = hn::CappedTag<float, 16>;
+using RayVec = hn::Vec<RayFloats>;
+inline constexpr std::uint32_t kRayStep = static_cast<std::uint32_t>(hn::MaxLanes(RayFloats()));
+inline constexpr std::uint64_t kStepBits = (std::uint64_t{1} << kRayStep) - 1;
+
+/// Returns the walk of a ray, whose floats may not be prepared.
+HWY_INLINE Walk& started_walk(Tile& tile, std::size_t ray) {
+    if (tile.walks[ray] == nullptr) {
+        tile.walks[ray] = tile.start(tile, static_cast<std::uint32_t>(ray));
+    }
+    return *tile.walks[ray];
+}
+
+/// Works out unit directions; of rays that are too slow or fast for float, what is not a number.
+HWY_INLINE void prepare_units(Tile& tile) {
+    const RayFloats d;
+    for (std::uint32_t i = 0; i < kMaxTileRays; i += kRayStep) {
+        const RayVec dir[3] = {hn::Load(d, tile.dir[0] + i), hn::Load(d, tile.dir[1] + i),
+                               hn::Load(d, tile.dir[2] + i)};
+        const RayVec length = hn::Sqrt(dot(d, dir, dir));
+        const auto is_usual = hn::And(hn::Gt(length, hn::Set(d, kLeastSpeedAside)),
+                                      hn::Lt(length, hn::Set(d, kMostSpeedAside)));
+        const RayVec t_per_length =
+            hn::IfThenElse(is_usual, hn::Div(hn::Set(d, 1.0f), length), hn::NaN(d));
+        hn::Store(t_per_length, d, tile.t_per_length + i);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            hn::Store(hn::Mul(dir[axis], t_per_length), d, tile.unit_dir[axis] + i);
+        }
+    }
+}
+
+/// Of a tile, from ray i on. Their origins are floats: they have no error.
+HWY_INLINE BoundRay<RayFloats> bound_rays_of(const Tile& tile, std::uint32_t i) {
+    const RayFloats d;
+    BoundRay<RayFloats> result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        result.origin[axis] = hn::Load(d, tile.origin[axis] + i);
+        result.dir[axis] = hn::Load(d, tile.dir[axis] + i);
+        result.unit_dir[axis] = hn::Load(d, tile.unit_dir[axis] + i);
+    }
+    result.t_per_length = hn::Load(d, tile.t_per_length + i);
+    result.origin_error = hn::Zero(d);
+    result.lo = hn::Load(d, tile.lo + i);
+    result.reach = hn::Load(d, tile.reach + i);
+    return result;
+}
+
+/// The same primitive for all rays.
+HWY_INLINE BallBound<RayFloats> bound_for_rays(const SphereBlock& block, std::uint32_t lane) {
+    const RayFloats d;
+    return {{hn::Set(d, block.center[0][lane]), hn::Set(d, block.center[1][lane]),
+             hn::Set(d, block.center[2][lane])},
+            hn::Set(d, block.radius[lane])};
+}
+
+HWY_INLINE FramedBound<RayFloats> bound_for_rays(const FramedBlock& block, std::uint32_t lane) {
+    const RayFloats d;
+    FramedBound<RayFloats> result;
+    for (std::size_t column = 0; column < 3; ++column) {
+        result.origin[column] = hn::Set(d, block.origin[column][lane]);
+        for (std::size_t row = 0; row < 3; ++row) {
+            result.object_from_world[column][row] =
+                hn::Set(d, block.object_from_world[column][row][lane]);
+        }
+    }
+    result.stretch = hn::Set(d, block.stretch[lane]);
+    result.radius = hn::Set(d, block.radius[lane]);
+    result.bottom = hn::Set(d, block.bottom[lane]);
+    result.top = hn::Set(d, block.top[lane]);
+    return result;
+}
+
+/// Of the rays returns those that may meet what is bounded.
+template <class Bound>
+HWY_INLINE std::uint64_t rays_at(const Bound& bound, const Tile& tile, std::uint64_t rays) {
+    std::uint64_t met = 0;
+    for (std::uint32_t i = 0; i < kMaxTileRays; i += kRayStep) {
+        if ((rays >> i & kStepBits) == 0) continue;
+        const auto is_missed = misses(RayFloats(), bound, bound_rays_of(tile, i));
+        met |= std::uint64_t{~bits_of(RayFloats(), is_missed) & kStepBits} << i;
+    }
+    return met & rays;
+}
+
+/// True of leaves whose primitives are bounded: the bounds of one are tested with many rays at
+/// once.
+HWY_INLINE bool is_bounded(BoxChild leaf) {
+    const auto kind = static_cast<BoxChildKind>(leaf >> kBoxKindShift);
+    return kind == BoxChildKind::spheres || kind == BoxChildKind::framed;
+}
+
+template <class Block>
+HWY_INLINE void meet_with_tile(const Block& block, std::uint64_t rays, Tile& tile) {
+    for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
+        rays &= tile.active;
+        tile.primitive_tests += hwy::PopCount(rays);
+        std::uint64_t met = rays_at(bound_for_rays(block, lane), tile, rays);
+        for (; met != 0; met &= met - 1) {
+            const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(met);
+            Walk& walk = started_walk(tile, ray);
+            if (meet_bounded(walk, block, lane) == Met::end) {
+                tile.active &= ~(std::uint64_t{1} << ray);
+                tile.reach[ray] = kNoReach;
+            } else {
+                tile.reach[ray] = walk.reach;
+            }
+        }
+    }
+}
+
+HWY_NOINLINE void meet_bounded_leaf(const BoxTreeView& tree, BoxChild leaf, std::uint64_t rays,
+                                    Tile& tile) {
+    const std::uint32_t count = (leaf >> kBoxCountShift & (kMaxLeafCount - 1)) + 1;
+    const std::uint32_t first = leaf & kMaxLeafFirst;
+    const bool has_spheres =
+        static_cast<BoxChildKind>(leaf >> kBoxKindShift) == BoxChildKind::spheres;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        if (has_spheres) {
+            meet_with_tile(tree.spheres[i], rays, tile);
+        } else {
+            meet_with_tile(tree.framed[i], rays, tile);
+        }
+    }
+}
+
+}  // namespace lray::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -29,6 +29,7 @@ SurfacePoint surface_at(const scene::World& world, const Ray& ray, const Hit& hi
 /// just off it, on the side the direction points to. Holds for directions further than 2^-23 from
 /// the tangent plane, which is all the normal can tell.
 /// Source: Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., sec. 6.8.6.
-Vec3 offset_origin(Vec3 position, Vec3 error, Vec3 normal, Vec3 direction);
+Vec3 offset_origin(const Vec3& position, const Vec3& error, const Vec3& normal,
+                   const Vec3& direction);
 
 }  // namespace lray::bvh

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "base/assert.h"
+#include "base/numerics.h"
 
 namespace lray::image {
 
@@ -31,6 +33,55 @@ std::array<float, 256> make_decode_table() {
     }
     return table;
 }
+
+/// Which code a linear value in (0, 1) has, without a power for each: a step for the upper 16 bits
+/// of the float, in which there is one code or two.
+class CodeTable {
+ public:
+    CodeTable() {
+        for (std::uint32_t code = 1; code < 256; ++code) first_[code] = first_with_code(code);
+        first_[256] = kInfinity;
+        std::uint32_t code = 0;
+        for (std::uint32_t step = 0; step < kStepCount; ++step) {
+            while (first_[code + 1] <= value_of(step)) ++code;
+            code_of_step_[step] = static_cast<std::uint8_t>(code);
+            LRAY_ASSERT(code == 255 || !(first_[code + 2] < value_of(step + 1)));
+        }
+    }
+
+    /// Shape: 0 < x <= 1.
+    std::uint8_t code_of(float x) const {
+        if (x < kLeast) return 0;
+        const std::uint32_t step = (std::bit_cast<std::uint32_t>(x) >> 16) - kFirstStep;
+        const std::uint32_t code = code_of_step_[step];
+        return static_cast<std::uint8_t>(code + (x >= first_[code + 1] ? 1 : 0));
+    }
+
+ private:
+    static constexpr float kLeast = 0x1p-13f;  // of less the code is 0
+    static constexpr std::uint32_t kFirstStep = std::bit_cast<std::uint32_t>(kLeast) >> 16;
+    static constexpr std::uint32_t kStepCount =
+        (std::bit_cast<std::uint32_t>(1.0f) >> 16) - kFirstStep + 1;
+
+    static float value_of(std::uint32_t step) {
+        return std::bit_cast<float>((step + kFirstStep) << 16);
+    }
+
+    /// Between two bits of a float.
+    static float first_with_code(std::uint32_t code) {
+        std::uint32_t below = std::bit_cast<std::uint32_t>(kLeast);
+        std::uint32_t at = std::bit_cast<std::uint32_t>(1.0f);
+        while (at - below > 1) {
+            const std::uint32_t middle = below + (at - below) / 2;
+            const float encoded = srgb_encode(std::bit_cast<float>(middle)) * 255.0f + 0.5f;
+            (static_cast<std::uint32_t>(encoded) >= code ? at : below) = middle;
+        }
+        return std::bit_cast<float>(at);
+    }
+
+    std::array<float, 257> first_{};  // the least value of each code
+    std::array<std::uint8_t, kStepCount> code_of_step_{};
+};
 
 }  // namespace
 
@@ -60,7 +111,9 @@ double srgb_decode(double encoded) {
 }
 
 std::uint8_t srgb_encode_8(float linear) {
-    return static_cast<std::uint8_t>(srgb_encode(linear) * 255.0f + 0.5f);
+    static const CodeTable table;
+    if (!(linear > 0.0f)) return 0;
+    return table.code_of(std::min(linear, 1.0f));
 }
 
 float srgb_decode_8(std::uint8_t code) {

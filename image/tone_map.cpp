@@ -68,7 +68,7 @@ double Display::curve_slope(double x) const {
 }
 
 Color Display::shown(Color light) const {
-    if (settings_.tonemap == ToneMap::none && factor_ == 1.0) return light;
+    if (is_identity()) return light;
     Color result{0.0f};
     for (int channel = 0; channel < 3; ++channel) {
         // The curves are made for what is not negative.
@@ -91,6 +91,7 @@ double Display::displayed_error(double mean, double standard_error) const {
 
 Image displayed(Image picture, const DisplaySettings& settings) {
     const Display display(settings);
+    if (display.is_identity()) return picture;
     for (Color& pixel : picture.pixels) pixel = display.shown(pixel);
     return picture;
 }

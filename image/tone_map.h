@@ -33,6 +33,9 @@ class Display {
  public:
     explicit Display(const DisplaySettings& settings);
 
+    /// True if shown() changes nothing.
+    bool is_identity() const { return settings_.tonemap == ToneMap::none && factor_ == 1.0; }
+
     /// Returns the light of the screen: linear, 1 is its white. Without a tone map there is more
     /// than white, which writing clamps.
     Color shown(Color light) const;

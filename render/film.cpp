@@ -25,7 +25,7 @@ Film::Film(std::uint32_t width, std::uint32_t height, Keeps keeps)
       pixels_(std::size_t{width} * height),
       squares_(keeps == Keeps::squares ? pixels_.size() : 0) {}
 
-void Film::add(std::uint32_t x, std::uint32_t y, Color sample) {
+void Film::add(std::uint32_t x, std::uint32_t y, const Color& sample) {
     LRAY_DCHECK(x < width_ && y < height_);
     const std::size_t place = std::size_t{y} * width_ + x;
     Pixel& target = pixels_[place];
@@ -36,28 +36,29 @@ void Film::add(std::uint32_t x, std::uint32_t y, Color sample) {
         return;
     }
     bool is_clamped = false;
+    const auto steps_of = [&is_clamped](float light) {
+        const float value = std::clamp(light, -kMaxValue, kMaxValue);
+        is_clamped = is_clamped || value != light;
+        return nearest_whole(static_cast<double>(value) * kOne);  // exact product
+    };
+    const std::int64_t steps[3] = {steps_of(sample.r), steps_of(sample.g), steps_of(sample.b)};
+    for (int channel = 0; channel < 3; ++channel) target.sum[channel] += steps[channel];
+    if (is_clamped) ++counts_.clamped;
+    if (squares_.empty()) return;
     for (int channel = 0; channel < 3; ++channel) {
-        const float value = std::clamp(sample[channel], -kMaxValue, kMaxValue);
-        is_clamped = is_clamped || value != sample[channel];
-        const std::int64_t steps =
-            nearest_whole(static_cast<double>(value) * kOne);  // exact product
-        target.sum[channel] += steps;
-        if (squares_.empty()) continue;
-        const Wide size = static_cast<std::uint64_t>(steps < 0 ? -steps : steps);
+        const Wide size = static_cast<std::uint64_t>(std::abs(steps[channel]));
         squares_[place].sum[channel] += size * size;
     }
-    if (is_clamped) ++counts_.clamped;
 }
 
 Color Film::resolve(std::uint32_t x, std::uint32_t y) const {
     const Pixel& source = pixel(x, y);
     if (source.sample_count == 0) return Color{0.0f};
     const double scale = 1.0 / (kOne * source.sample_count);  // of one sample exact
-    Color mean{0.0f};
-    for (int channel = 0; channel < 3; ++channel) {
-        mean[channel] = static_cast<float>(static_cast<double>(source.sum[channel]) * scale);
-    }
-    return mean;
+    const auto mean = [scale](std::int64_t sum) {
+        return static_cast<float>(static_cast<double>(sum) * scale);
+    };
+    return {mean(source.sum[0]), mean(source.sum[1]), mean(source.sum[2])};
 }
 
 Color Film::standard_error(std::uint32_t x, std::uint32_t y) const {

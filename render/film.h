@@ -39,7 +39,7 @@ class Film {
 
     /// Adds a sample: clamped to +-kMaxValue and counted if it was beyond. Asserts that the pixel
     /// has fewer than kMaxSamples.
-    void add(std::uint32_t x, std::uint32_t y, Color sample);
+    void add(std::uint32_t x, std::uint32_t y, const Color& sample);
 
     /// Returns the mean of the samples of a pixel; black if it has none.
     Color resolve(std::uint32_t x, std::uint32_t y) const;

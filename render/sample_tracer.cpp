@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/assert.h"
+#include "base/fixed_list.h"
 #include "render/decisions.h"
 #include "shade/depth.h"
 #include "shade/transport/boundary.h"
@@ -21,14 +22,22 @@ static_assert(kMaxBatchSize <= shade::kMaxWaveSize);
 /// Rays that are traced together, the place on the film and the random numbers of each. Each may
 /// meet anything: no interval is ever changed.
 struct SampleTracer::Batch {
-    std::array<FilmPlace, kMaxBatchSize> places;
-    std::array<PixelSample, kMaxBatchSize> samples;
-    std::array<Ray, kMaxBatchSize> rays;
-    std::array<Interval, kMaxBatchSize> intervals;
+    FixedList<FilmPlace, kMaxBatchSize> places;
+    FixedList<PixelSample, kMaxBatchSize> samples;
+    FixedList<Ray, kMaxBatchSize> rays;
+    FixedList<shade::RayCone, kMaxBatchSize> cones;
+    FixedList<bvh::TraceCounts, kMaxBatchSize> counts;  // of each ray, where its cost is shown
     std::array<bvh::Hit, kMaxBatchSize> hits;
-    std::array<bvh::TraceCounts, kMaxBatchSize> counts;  // of each ray, where its cost is shown
-    std::array<shade::RayCone, kMaxBatchSize> cones;
     std::array<Color, kMaxBatchSize> colors;
+
+    std::size_t size() const { return rays.size(); }
+    void clear() {
+        places.clear();
+        samples.clear();
+        rays.clear();
+        cones.clear();
+        counts.clear();
+    }
 };
 
 SampleTracer::SampleTracer(const scene::World& world, const bvh::Accel& accel,
@@ -47,36 +56,36 @@ SampleTracer::SampleTracer(const scene::World& world, const bvh::Accel& accel,
     }
 }
 
-bvh::TraceCounts SampleTracer::trace(Batch& batch, std::size_t size,
-                                     const std::atomic<bool>& cancel) const {
+bvh::TraceCounts SampleTracer::trace(Batch& batch, const std::atomic<bool>& cancel) const {
     bvh::TraceCounts counts{.cancel = &cancel};
     if (options_.shading.shader != shade::Shader::cost) {
-        accel_.nearest_hits(std::span(batch.rays).first(size),
-                            std::span(batch.intervals).first(size),
-                            std::span(batch.hits).first(size), counts);
+        static constexpr std::array<Interval, kMaxBatchSize> kIntervals{};
+        accel_.nearest_hits(batch.rays.all(), std::span(kIntervals).first(batch.size()),
+                            std::span(batch.hits).first(batch.size()), counts);
         return counts;
     }
-    for (std::size_t i = 0; i < size; ++i) {
-        batch.counts[i] = {.cancel = &cancel};
-        batch.hits[i] = accel_.nearest_hit(batch.rays[i], batch.intervals[i], batch.counts[i]);
-        counts += batch.counts[i];
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        bvh::TraceCounts& cost = batch.counts.add({.cancel = &cancel});
+        batch.hits[i] = accel_.nearest_hit(batch.rays[i], {}, cost);
+        counts += cost;
     }
     return counts;
 }
 
-bool SampleTracer::shade(Batch& batch, std::size_t size, shade::LightCounts& counts,
+bool SampleTracer::shade(Batch& batch, shade::LightCounts& counts,
                          const std::atomic<bool>& cancel) const {
     if (options_.shading.shader != shade::Shader::full) {
-        for (std::size_t i = 0; i < size; ++i) {
-            batch.colors[i] = shade::shade(shading_, batch.rays[i], batch.hits[i], batch.counts[i]);
+        const bool shows_cost = !batch.counts.is_empty();
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            batch.colors[i] = shade::shade(shading_, batch.rays[i], batch.hits[i],
+                                           shows_cost ? batch.counts[i] : bvh::TraceCounts{});
         }
         return true;
     }
-    const shade::CameraWave wave{
-        std::span(batch.rays).first(size), std::span(batch.cones).first(size),
-        std::span(batch.samples).first(size), std::span(batch.hits).first(size)};
+    const shade::CameraWave wave{batch.rays.all(), batch.cones.all(), batch.samples.all(),
+                                 std::span(batch.hits).first(batch.size())};
     return shade::follow_light(*options_.lit, options_.shading, camera_media_, wave,
-                               std::span(batch.colors).first(size), counts, cancel);
+                               std::span(batch.colors).first(batch.size()), counts, cancel);
 }
 
 PixelSample SampleTracer::pixel_sample(std::uint32_t x, std::uint32_t y,
@@ -110,22 +119,24 @@ std::uint64_t SampleTracer::add_samples(const PixelRect& part, std::span<const F
     while (done < total && !cancel.load(std::memory_order_relaxed)) {
         const auto size =
             static_cast<std::uint32_t>(std::min<std::uint64_t>(options_.batch_size, total - done));
-        for (std::uint32_t i = 0; i < size; ++i) {
-            batch.places[i] = places[at];
-            const std::uint32_t x = part.x0 + places[at].x;
-            const std::uint32_t y = part.y0 + places[at].y;
-            batch.samples[i] = pixel_sample(x, y, index);
-            batch.rays[i] = camera_ray(x, y, batch.samples[i]);
-            batch.cones[i] = pixel_cone(x, y);
+        batch.clear();
+        while (batch.size() < size) {
+            const FilmPlace place = batch.places.add(places[at]);
+            const std::uint32_t x = part.x0 + place.x;
+            const std::uint32_t y = part.y0 + place.y;
+            const PixelSample& sample =
+                batch.samples.add_made([&] { return pixel_sample(x, y, index); });
+            batch.rays.add_made([&] { return camera_ray(x, y, sample); });
+            batch.cones.add_made([&] { return pixel_cone(x, y); });
             if (++at == places.size()) {
                 at = 0;
                 ++index;
             }
         }
-        const bvh::TraceCounts cost = trace(batch, size, cancel);
+        const bvh::TraceCounts cost = trace(batch, cancel);
         counts.primary += cost;
         if (cost.is_ended) break;
-        if (!shade(batch, size, counts.light, cancel)) break;
+        if (!shade(batch, counts.light, cancel)) break;
         for (std::uint32_t i = 0; i < size; ++i) {
             film.add(batch.places[i].x, batch.places[i].y, batch.colors[i]);
         }

@@ -43,11 +43,10 @@ class SampleTracer {
     struct Batch;
 
     /// Finds what the rays of a batch hit; returns what that cost.
-    bvh::TraceCounts trace(Batch& batch, std::size_t size, const std::atomic<bool>& cancel) const;
+    bvh::TraceCounts trace(Batch& batch, const std::atomic<bool>& cancel) const;
 
     /// Works out the colours of a batch; false once `cancel` is set.
-    bool shade(Batch& batch, std::size_t size, shade::LightCounts& counts,
-               const std::atomic<bool>& cancel) const;
+    bool shade(Batch& batch, shade::LightCounts& counts, const std::atomic<bool>& cancel) const;
     PixelSample pixel_sample(std::uint32_t x, std::uint32_t y, std::uint32_t index) const;
     Ray camera_ray(std::uint32_t x, std::uint32_t y, const PixelSample& sample) const;
     shade::RayCone pixel_cone(std::uint32_t x, std::uint32_t y) const;

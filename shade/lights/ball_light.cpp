@@ -16,19 +16,6 @@ double cosine(double radians) {
     return unit_circle_point(radians / (2.0 * kPi)).x;
 }
 
-/// 1 / d^2 or what takes its place.
-double fall(scene::Falloff falloff, double distance_squared) {
-    switch (falloff) {
-        case scene::Falloff::quadratic:
-            return 1.0 / distance_squared;
-        case scene::Falloff::linear:
-            return 1.0 / std::sqrt(distance_squared);
-        case scene::Falloff::none:
-            return 1.0;
-    }
-    return 0.0;
-}
-
 /// 1 - cos of the cone in which a ball is seen from outside, divided by the square of its radius.
 double cone_height_per_area(double radius, double distance_squared) {
     const double sin_squared = radius * radius / distance_squared;
@@ -84,21 +71,13 @@ double BallLight::strength_at(DVec3 point) const {
     const double share = is_spot && distance_squared > 0.0
                              ? cone_share(-to_middle / std::sqrt(distance_squared))
                              : 1.0;
-    return share * strength * fall(falloff, std::max(distance_squared, radius * radius));
+    return share * strength * fall(std::max(distance_squared, radius * radius));
 }
 
-std::optional<LightSample> BallLight::sample(DVec3 point, DVec2 u) const {
-    const DVec3 to_middle = position - point;
+std::optional<LightSample> BallLight::sample_extent(const DVec3& to_middle, const DVec3& towards,
+                                                    double distance, double light,
+                                                    const DVec2& u) const {
     const double distance_squared = dot(to_middle, to_middle);
-    if (!(distance_squared > 0.0)) return std::nullopt;
-    const double distance = std::sqrt(distance_squared);
-    const DVec3 towards = to_middle / distance;
-    double light = strength * cone_share(-towards);
-    if (!(light > 0.0)) return std::nullopt;
-    if (!(radius > 0.0)) {
-        light *= fall(falloff, distance_squared);
-        return LightSample{Vec3(towards), finite_distance(distance), light_color(color, light)};
-    }
     const double area = radius * radius;
     const bool is_inside = !(distance > radius);
     const double height_per_area =
@@ -113,8 +92,7 @@ std::optional<LightSample> BallLight::sample(DVec3 point, DVec2 u) const {
                                         : (distance - radius) * (distance + radius) /
                                               std::max(along + depth, distance - radius);
     // Of a quadratic one: radiance times solid angle / pi.
-    light *= falloff == scene::Falloff::quadratic ? 2.0 * height_per_area
-                                                  : fall(falloff, distance_squared);
+    light *= falloff == scene::Falloff::quadratic ? 2.0 * height_per_area : fall(distance_squared);
     const float density = is_met ? finite_float(1.0 / cone_solid_angle(height)) : 0.0f;
     return LightSample{Vec3(wi), finite_distance(to_surface), light_color(color, light), density};
 }

@@ -1,6 +1,7 @@
 // Point and spot lights, which may be balls: what of their light arrives at a point.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "base/ray.h"
@@ -18,7 +19,19 @@ struct BallLight {
     static BallLight of(const scene::SpotLight& spot, Color color, double intensity);
 
     /// Errors: empty outside of a spot's cone, and in the very middle of the light.
-    std::optional<LightSample> sample(DVec3 point, DVec2 u) const;
+    std::optional<LightSample> sample(const DVec3& point, const DVec2& u) const {
+        const DVec3 to_middle = position - point;
+        const double distance_squared = dot(to_middle, to_middle);
+        if (!(distance_squared > 0.0)) return std::nullopt;
+        const double distance = std::sqrt(distance_squared);
+        const DVec3 towards = to_middle * (1.0 / distance);
+        double light = strength;
+        if (is_spot) light *= cone_share(-towards);
+        if (!(light > 0.0)) return std::nullopt;
+        if (radius > 0.0) return sample_extent(to_middle, towards, distance, light, u);
+        light *= fall(distance_squared);
+        return LightSample{Vec3(towards), finite_distance(distance), light_color(color, light)};
+    }
     float pdf(DVec3 point, Vec3 wi) const;
 
     /// Returns how strong the light is at a point, without its colour; 0 where it does not shine.
@@ -31,6 +44,23 @@ struct BallLight {
     /// The share of its light that leaves at an angle to the axis of its cone: smoothstep between
     /// the inner cone and the rim, by the angle. Shape: from_light is unit.
     double cone_share(DVec3 from_light) const;
+
+    /// sample() of a light that is more than a point. `light` is its strength that way.
+    std::optional<LightSample> sample_extent(const DVec3& to_middle, const DVec3& towards,
+                                             double distance, double light, const DVec2& u) const;
+
+    /// 1 / d^2 or what takes its place.
+    double fall(double distance_squared) const {
+        switch (falloff) {
+            case scene::Falloff::quadratic:
+                return 1.0 / distance_squared;
+            case scene::Falloff::linear:
+                return 1.0 / std::sqrt(distance_squared);
+            case scene::Falloff::none:
+                return 1.0;
+        }
+        return 0.0;
+    }
 
     DVec3 position{0.0};
     double radius = 0.0;

@@ -77,22 +77,6 @@ void LightTable::add(const scene::WorldLight& light, const scene::World& world,
     entries_.push_back(entry);
 }
 
-std::optional<LightSample> LightTable::sample(std::uint32_t light, DVec3 point, Vec3 normal,
-                                              DVec2 u) const {
-    const Entry& entry = entries_[light];
-    switch (entry.kind) {
-        case Kind::ball:
-            return balls_[entry.index].sample(point, u);
-        case Kind::sun:
-            return suns_[entry.index].sample(u);
-        case Kind::area:
-            return areas_[entry.index].sample(point, u);
-        case Kind::environment:
-            return environment_->sample(normal, u);
-    }
-    return std::nullopt;
-}
-
 float LightTable::pdf(std::uint32_t light, DVec3 point, Vec3 normal, Vec3 wi) const {
     const Entry& entry = entries_[light];
     switch (entry.kind) {

@@ -17,6 +17,24 @@
 
 namespace lray::shade {
 
+/// LightTable::sample() of a light of known class.
+inline std::optional<LightSample> sample_light(const BallLight& light, const DVec3& point,
+                                               const Vec3& /*normal*/, const DVec2& u) {
+    return light.sample(point, u);
+}
+inline std::optional<LightSample> sample_light(const SunLight& light, const DVec3& /*point*/,
+                                               const Vec3& /*normal*/, const DVec2& u) {
+    return light.sample(u);
+}
+inline std::optional<LightSample> sample_light(const AreaLight& light, const DVec3& point,
+                                               const Vec3& /*normal*/, const DVec2& u) {
+    return light.sample(point, u);
+}
+inline std::optional<LightSample> sample_light(const Environment& light, const DVec3& /*point*/,
+                                               const Vec3& normal, const DVec2& u) {
+    return light.sample(normal, u);
+}
+
 /// Const calls are thread-safe. The world and the textures must outlive it.
 class LightTable {
  public:
@@ -32,11 +50,32 @@ class LightTable {
     /// True if sample() depends on u.
     bool has_extent(std::uint32_t light) const { return entries_[light].has_extent; }
 
+    /// Returns visit(source) of the light itself, which is of one of the classes that it may be.
+    template <class Visit>
+    decltype(auto) visit(std::uint32_t light, Visit visit) const {
+        const Entry& entry = entries_[light];
+        switch (entry.kind) {
+            case Kind::ball:
+                return visit(balls_[entry.index]);
+            case Kind::sun:
+                return visit(suns_[entry.index]);
+            case Kind::area:
+                return visit(areas_[entry.index]);
+            case Kind::environment:
+                break;
+        }
+        return visit(*environment_);
+    }
+
     /// Returns light that arrives at a point by the light's sample u, uniform in [0, 1)^2.
     /// Space: world; `normal` is unit, on the side of the surface that is lit: by it directions of
     /// an even environment are chosen, which for light from below it is empty.
     /// Errors: empty when none does: behind a spot light or an area light.
-    std::optional<LightSample> sample(std::uint32_t light, DVec3 point, Vec3 normal, DVec2 u) const;
+    std::optional<LightSample> sample(std::uint32_t light, const DVec3& point, const Vec3& normal,
+                                      const DVec2& u) const {
+        return visit(light,
+                     [&](const auto& source) { return sample_light(source, point, normal, u); });
+    }
 
     /// Returns the density with which sample() chooses a direction from a point; 0 for lights that
     /// no ray meets, and directions that do not meet the light.
@@ -52,6 +91,9 @@ class LightTable {
     };
     std::optional<Choice> choose(DVec3 point, double u) const;
     float probability(std::uint32_t light, DVec3 point) const;
+
+    /// True if there are lights that rays meet.
+    bool are_met() const { return !met_.empty(); }
 
     /// Returns the nearest visible area or ball light that the ray meets in the interval; none
     /// when it meets none. Environments are environment()'s.

@@ -17,12 +17,12 @@
 namespace lray::shade {
 
 /// Returns (N.H)^shininess.
-inline float blinn_phong_highlight(float shininess, Vec3 wi, Vec3 wo) {
+inline float blinn_phong_highlight(float shininess, const Vec3& wi, const Vec3& wo) {
     const DVec3 h = exactly_unit(wi) + exactly_unit(wo);
     return cosine_power((h.x * h.x + h.y * h.y) / (h.z * h.z), shininess);
 }
 
-inline Color blinn_phong_reflected(const MaterialPoint& material, Vec3 wi, Vec3 wo) {
+inline Color blinn_phong_reflected(const MaterialPoint& material, const Vec3& wi, const Vec3& wo) {
     return material.diffuse * wi.z +
            material.specular * blinn_phong_highlight(material.shininess, wi, wo);
 }

@@ -50,7 +50,7 @@ Color let_through(const MaterialPoint& material, float cosine) {
 
 }  // namespace
 
-Color cook_torrance_reflected(const MaterialPoint& material, Vec3 wi, Vec3 wo) {
+Color cook_torrance_reflected(const MaterialPoint& material, const Vec3& wi, const Vec3& wo) {
     const float alpha = alpha_of(material);
     const Vec3 h = wi + wo;
     // I.H = |I + V| / 2.

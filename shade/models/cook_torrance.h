@@ -20,7 +20,7 @@
 
 namespace lray::shade {
 
-Color cook_torrance_reflected(const MaterialPoint& material, Vec3 wi, Vec3 wo);
+Color cook_torrance_reflected(const MaterialPoint& material, const Vec3& wi, const Vec3& wo);
 
 /// Chooses a half vector among the microfacets that wo sees; wi may point below the surface.
 Vec3 cook_torrance_lobe_direction(const MaterialPoint& material, Vec3 wo, DVec2 u);

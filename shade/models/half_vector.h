@@ -8,7 +8,7 @@ namespace lray::shade {
 /// Returns a direction that is unit but for rounding to float with the length of 1 to 1e-14: half
 /// vectors and mirror directions lean to the longer one of two otherwise.
 /// A step of Newton's method for 1 / sqrt(w.w) at 1.
-inline DVec3 exactly_unit(Vec3 w) {
+inline DVec3 exactly_unit(const Vec3& w) {
     const DVec3 v(w);
     return v * (1.5 - 0.5 * dot(v, v));
 }

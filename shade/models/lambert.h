@@ -7,7 +7,7 @@
 
 namespace lray::shade {
 
-inline Color lambert_reflected(const MaterialPoint& material, Vec3 wi) {
+inline Color lambert_reflected(const MaterialPoint& material, const Vec3& wi) {
     return material.diffuse * wi.z;
 }
 

@@ -13,7 +13,7 @@
 namespace lray::shade {
 
 /// Returns (R.V)^shininess; the tangent by the cross product: it stays exact where R meets V.
-inline float phong_highlight(float shininess, Vec3 wi, Vec3 wo) {
+inline float phong_highlight(float shininess, const Vec3& wi, const Vec3& wo) {
     const DVec3 r(-wi.x, -wi.y, wi.z);
     const DVec3 v(wo);
     const double cosine = dot(r, v);
@@ -22,7 +22,7 @@ inline float phong_highlight(float shininess, Vec3 wi, Vec3 wo) {
     return cosine_power(dot(across, across) / (cosine * cosine), shininess);
 }
 
-inline Color phong_reflected(const MaterialPoint& material, Vec3 wi, Vec3 wo) {
+inline Color phong_reflected(const MaterialPoint& material, const Vec3& wi, const Vec3& wo) {
     return material.diffuse * wi.z +
            material.specular * phong_highlight(material.shininess, wi, wo);
 }

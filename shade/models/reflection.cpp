@@ -2,12 +2,7 @@
 
 #include <algorithm>
 
-#include "shade/models/blinn_phong.h"
-#include "shade/models/cook_torrance.h"
 #include "shade/models/hemisphere.h"
-#include "shade/models/lambert.h"
-#include "shade/models/phong.h"
-#include "shade/models/ward.h"
 
 namespace lray::shade {
 
@@ -91,23 +86,6 @@ float mixture_pdf(const MaterialPoint& material, float diffuse, Vec3 wi, Vec3 wo
 }
 
 }  // namespace
-
-Color reflected(const MaterialPoint& material, Vec3 wi, Vec3 wo) {
-    if (!(wi.z > 0.0f && wo.z > 0.0f)) return Color{0.0f};
-    switch (material.model) {
-        case ReflectionModel::lambert:
-            return lambert_reflected(material, wi);
-        case ReflectionModel::phong:
-            return phong_reflected(material, wi, wo);
-        case ReflectionModel::blinn_phong:
-            return blinn_phong_reflected(material, wi, wo);
-        case ReflectionModel::cook_torrance:
-            return cook_torrance_reflected(material, wi, wo);
-        case ReflectionModel::ward:
-            return ward_reflected(material, wi, wo);
-    }
-    return Color{0.0f};
-}
 
 std::optional<DirectionSample> sample_reflected(const MaterialPoint& material, Vec3 wo,
                                                 double choice, DVec2 u) {

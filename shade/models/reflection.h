@@ -12,12 +12,32 @@
 
 #include "base/vec.h"
 #include "shade/material_point.h"
+#include "shade/models/blinn_phong.h"
+#include "shade/models/cook_torrance.h"
+#include "shade/models/lambert.h"
+#include "shade/models/phong.h"
+#include "shade/models/ward.h"
 
 namespace lray::shade {
 
 /// Returns pi f cos of the material's model: diffuse and specular part. 0 unless wi.z and wo.z are
 /// greater than 0.
-Color reflected(const MaterialPoint& material, Vec3 wi, Vec3 wo);
+inline Color reflected(const MaterialPoint& material, const Vec3& wi, const Vec3& wo) {
+    if (!(wi.z > 0.0f && wo.z > 0.0f)) return Color{0.0f};
+    switch (material.model) {
+        case scene::ReflectionModel::lambert:
+            return lambert_reflected(material, wi);
+        case scene::ReflectionModel::phong:
+            return phong_reflected(material, wi, wo);
+        case scene::ReflectionModel::blinn_phong:
+            return blinn_phong_reflected(material, wi, wo);
+        case scene::ReflectionModel::cook_torrance:
+            return cook_torrance_reflected(material, wi, wo);
+        case scene::ReflectionModel::ward:
+            return ward_reflected(material, wi, wo);
+    }
+    return Color{0.0f};
+}
 
 /// A direction chosen at random, and the density of choosing it.
 struct DirectionSample {

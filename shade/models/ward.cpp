@@ -28,7 +28,7 @@ float slope_density(Vec3 h, Vec2 alpha) {
 
 }  // namespace
 
-Color ward_reflected(const MaterialPoint& material, Vec3 wi, Vec3 wo) {
+Color ward_reflected(const MaterialPoint& material, const Vec3& wi, const Vec3& wo) {
     const Color matt = material.diffuse * wi.z;
     const Vec3 h = wi + wo;
     const float density = slope_density(h, alpha_of(material));

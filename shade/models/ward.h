@@ -14,7 +14,7 @@
 
 namespace lray::shade {
 
-Color ward_reflected(const MaterialPoint& material, Vec3 wi, Vec3 wo);
+Color ward_reflected(const MaterialPoint& material, const Vec3& wi, const Vec3& wo);
 
 /// Chooses a half vector by the slopes; wi may point below the surface.
 Vec3 ward_lobe_direction(const MaterialPoint& material, Vec3 wo, DVec2 u);

@@ -35,7 +35,10 @@ void add_what_is_behind(const WaveContext& context, const TransportRay& ray) {
 /// Brings light that is not that of a surface: of a light that the ray meets first, or of what is
 /// behind everything. Returns false if there is no surface to go on with.
 bool meets_surface(const WaveContext& context, TransportRay& ray, const bvh::Hit& hit) {
-    const auto light = context.lit.lights.nearest_hit(ray.ray, shadow_interval(ray.ray, hit.t));
+    const LightTable& lights = context.lit.lights;
+    const auto light = lights.are_met()
+                           ? lights.nearest_hit(ray.ray, shadow_interval(ray.ray, hit.t))
+                           : std::nullopt;
     const float t = light ? light->t : hit.t;
     if (!ray.media.is_empty()) {
         const MaterialPoint& medium = context.lit.materials.average(ray.media.innermost());
@@ -68,7 +71,7 @@ bool is_solid(const WaveContext& context, TransportRay& ray, const ShadingPoint&
 }
 
 void shade_wave(const WaveContext& context, Wave& wave) {
-    if (wave.count == 0) return;
+    if (wave.is_empty()) return;
     switch (context.settings.integrator) {
         case scene::Integrator::whitted:
             return shade_whitted(context, wave);
@@ -80,26 +83,29 @@ void shade_wave(const WaveContext& context, Wave& wave) {
 
 void add_to_wave(const WaveContext& context, Wave& wave, TransportRay& ray, const bvh::Hit& hit) {
     if (!meets_surface(context, ray, hit)) return;
-    ShadingPoint& point = wave.points[wave.count];
-    point = shading_point(context.lit, ray, hit);
-    if (!is_solid(context, ray, point, hit.t)) return;
-    wave.rays[wave.count] = ray;
-    wave.distances[wave.count] = hit.t;
-    ++wave.count;
+    MetSurface& met = wave.add_made([&] {
+        return MetSurface{ray, shading_point(context.lit, ray, hit), hit.t};
+    });
+    if (!is_solid(context, met.ray, met.point, hit.t)) wave.remove_last();
 }
 
 /// Takes rays from the end of the queue: those that came last first, so that few are waiting.
 void follow_queue(const WaveContext& context, Wave& wave) {
     std::vector<TransportRay>& queue = context.queue;
     const std::size_t size = std::min(queue.size(), kMaxWaveSize);
-    std::array<TransportRay, kMaxWaveSize> taken;
-    std::copy(queue.end() - static_cast<std::ptrdiff_t>(size), queue.end(), taken.begin());
-    queue.resize(queue.size() - size);
-    wave.count = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        const bvh::Hit hit = context.lit.accel.nearest_hit(taken[i].ray, {}, context.counts.onward);
-        add_to_wave(context, wave, taken[i], hit);
+    FixedList<TransportRay, kMaxWaveSize> taken;
+    FixedList<Ray, kMaxWaveSize> rays;
+    for (std::size_t i = queue.size() - size; i < queue.size(); ++i) {
+        taken.add(queue[i]);
+        rays.add(queue[i].ray);
     }
+    queue.resize(queue.size() - size);
+    static constexpr std::array<Interval, kMaxWaveSize> kIntervals{};
+    bvh::Hit hits[kMaxWaveSize];
+    context.lit.accel.nearest_hits(rays.all(), std::span(kIntervals).first(size),
+                                   std::span(hits).first(size), context.counts.onward);
+    wave.clear();
+    for (std::size_t i = 0; i < size; ++i) add_to_wave(context, wave, taken[i], hits[i]);
     shade_wave(context, wave);
 }
 

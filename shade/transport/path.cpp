@@ -46,8 +46,8 @@ void add_light_sample(const WaveContext& context, ShadowWave& shadows, const Wav
                       std::size_t i, const Ways& ways, bool is_last) {
     const LightTable& lights = context.lit.lights;
     if (lights.count() == 0 || ways.reflection == 0.0f) return;
-    const TransportRay& ray = wave.rays[i];
-    const ShadingPoint& point = wave.points[i];
+    const TransportRay& ray = wave[i].ray;
+    const ShadingPoint& point = wave[i].point;
     const PixelSample& random = context.sample_of(ray);
     const DVec3 position{point.surface.position};
     const auto choice = lights.choose(position, random.number(ray.decision(kLightChoice)));
@@ -64,7 +64,7 @@ void add_light_sample(const WaveContext& context, ShadowWave& shadows, const Wav
                           ways.reflection * reflected_pdf(point.material, wi, ways.wo));
     }
     if (lights.casts_shadow(light)) {
-        shadows.add(point.leaving(sample->wi), sample->distance, i, bright);
+        shadows.add(point.leaving(sample->wi).origin, *sample, i, bright);
     } else {
         context.add(ray, bright);
     }
@@ -124,20 +124,18 @@ void push(const WaveContext& context, TransportRay ray) {
 
 void shade_paths(const WaveContext& context, Wave& wave) {
     ShadowWave shadows;
-    for (std::size_t i = 0; i < wave.count; ++i) {
-        const TransportRay& ray = wave.rays[i];
-        const ShadingPoint& point = wave.points[i];
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        const auto& [ray, point, distance] = wave[i];
         context.add(ray, point.material.emission);
         const Ways ways = ways_from(context, ray, point);
         const bool is_last = ray.depth >= context.settings.max_depth;
         add_light_sample(context, shadows, wave, i, ways, is_last);
         if (is_last || ways.is_end()) continue;
-        if (const auto next = onward(context, ray, point, wave.distances[i], ways)) {
+        if (const auto next = onward(context, ray, point, distance, ways)) {
             push(context, *next);
         }
     }
-    shadows.follow(context,
-                   [&](std::size_t point, Color light) { context.add(wave.rays[point], light); });
+    shadows.follow(context, [&](std::size_t i, Color light) { context.add(wave[i].ray, light); });
 }
 
 }  // namespace lray::shade

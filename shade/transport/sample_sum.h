@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/numerics.h"
 #include "base/vec.h"
 
 namespace lray::shade {
@@ -15,32 +14,32 @@ namespace lray::shade {
 /// followed in whatever order suits those of others. Sums end at 2^30, contributions at 2^29.
 class SampleSum {
  public:
-    void add(Color contribution) {
-        for (int channel = 0; channel < 3; ++channel) {
-            const double value = static_cast<double>(contribution[channel]);
-            if (std::isnan(value)) {
-                is_nan_ = true;
-                continue;
-            }
-            const double steps = std::clamp(value, 0.0, kMaxValue) * kOne;
-            sum_[channel] = std::min(sum_[channel] + nearest_whole(steps), kMaxSum);
-        }
+    void add(const Color& contribution) {
+        add_to(sum_[0], contribution.r);
+        add_to(sum_[1], contribution.g);
+        add_to(sum_[2], contribution.b);
     }
 
     /// NaN if a contribution was.
     Color color() const {
         if (is_nan_) return Color{std::numeric_limits<float>::quiet_NaN()};
-        Color result{};
-        for (int channel = 0; channel < 3; ++channel) {
-            result[channel] = static_cast<float>(static_cast<double>(sum_[channel]) / kOne);
-        }
-        return result;
+        return {light_of(sum_[0]), light_of(sum_[1]), light_of(sum_[2])};
     }
 
  private:
     static constexpr double kOne = 0x1p32;
     static constexpr double kMaxValue = 0x1p29;
     static constexpr std::int64_t kMaxSum = std::int64_t{1} << 62;
+
+    void add_to(std::int64_t& sum, float contribution) {
+        const double value = static_cast<double>(contribution);
+        is_nan_ = is_nan_ || std::isnan(value);
+        const double steps = std::min(std::max(0.0, value), kMaxValue) * kOne;  // of NaN 0
+        sum = std::min(sum + static_cast<std::int64_t>(steps + 0.5), kMaxSum);
+    }
+    static float light_of(std::int64_t sum) {
+        return static_cast<float>(static_cast<double>(sum) * (1.0 / kOne));
+    }
 
     std::int64_t sum_[3] = {0, 0, 0};
     bool is_nan_ = false;

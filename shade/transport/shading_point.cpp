@@ -93,8 +93,14 @@ ShadingPoint shading_point(const LitWorld& lit, const TransportRay& ray, const b
         outward = bvh::shading_normal(lit.world, hit, point.surface);
     }
     point.normal = turned_to(point.wo, point.is_outside ? outward : -outward);
-    point.tangent = tangent_along(along, point.normal);
-    point.bitangent = cross(point.normal, point.tangent);
+    if (along == Vec3{0.0f}) {
+        const Across frame = across(DVec3{point.normal});
+        point.tangent = Vec3{frame.x};
+        point.bitangent = Vec3{frame.y};
+    } else {
+        point.tangent = tangent_along(along, point.normal);
+        point.bitangent = cross(point.normal, point.tangent);
+    }
     return point;
 }
 

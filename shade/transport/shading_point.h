@@ -25,20 +25,20 @@ struct ShadingPoint {
     Vec3 facing() const { return is_outside ? surface.normal : -surface.normal; }
 
     /// Into the shading frame. In double: highlights of large exponents show each lost bit.
-    Vec3 local(Vec3 direction) const {
+    Vec3 local(const Vec3& direction) const {
         const DVec3 d{direction};
         return Vec3{DVec3{dot(d, DVec3{tangent}), dot(d, DVec3{bitangent}), dot(d, DVec3{normal})}};
     }
-    Vec3 from_local(Vec3 direction) const {
+    Vec3 from_local(const Vec3& direction) const {
         return direction.x * tangent + direction.y * bitangent + direction.z * normal;
     }
 
     /// True if a direction is on the side of the eye: what comes from behind the surface does not
     /// light it, whatever the shading normal says.
-    bool is_before(Vec3 direction) const { return dot(facing(), direction) > 0.0f; }
+    bool is_before(const Vec3& direction) const { return dot(facing(), direction) > 0.0f; }
 
     /// Returns a ray that leaves the surface.
-    Ray leaving(Vec3 direction) const {
+    Ray leaving(const Vec3& direction) const {
         return {bvh::offset_origin(surface.position, surface.error, surface.normal, direction),
                 direction};
     }

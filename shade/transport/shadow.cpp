@@ -14,12 +14,6 @@ namespace lray::shade {
 
 namespace {
 
-/// The share of the way that is not looked at before a light: what it lies on, a rounding before
-/// it, does not hide it.
-constexpr float kBeforeLight = 0x1p-13f;
-/// Roundings of coordinates by which a light may be behind the surface it lies on.
-constexpr int kCoordinateRoundings = 8;
-
 bool casts_shadow(const scene::World& world, const bvh::Hit& hit) {
     const scene::PlacePath path = scene::path_to(world, hit.place);
     const scene::Geometry& geometry = *path.geometry;
@@ -78,15 +72,6 @@ Color light_share(const LitWorld& lit, ShadowKind kind, const Ray& ray, Interval
 }
 
 }  // namespace
-
-Interval shadow_interval(const Ray& ray, float distance) {
-    if (distance == kInfinity) return {};
-    const Vec3 end = ray.origin + distance * ray.dir;
-    const float reach =
-        std::max({std::fabs(end.x), std::fabs(end.y), std::fabs(end.z), std::fabs(ray.origin.x),
-                  std::fabs(ray.origin.y), std::fabs(ray.origin.z)});
-    return {0.0f, distance - distance * kBeforeLight - gamma(kCoordinateRoundings) * reach};
-}
 
 ShadowKind shadow_kind(const LitWorld& lit, bool transparent_shadows) {
     if (transparent_shadows && lit.materials.has_transmission()) return ShadowKind::coloured;

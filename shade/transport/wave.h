@@ -1,11 +1,11 @@
 // Rays that are followed together, and what they have in common.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "base/fixed_list.h"
 #include "base/sampler.h"
 #include "bvh/accel.h"
 #include "shade/settings.h"
@@ -47,13 +47,14 @@ struct WaveContext {
     const PixelSample& sample_of(const TransportRay& ray) const { return samples[ray.sample]; }
 };
 
-/// Rays that hit a surface, and the surface.
-struct Wave {
-    std::array<TransportRay, kMaxWaveSize> rays;
-    std::array<ShadingPoint, kMaxWaveSize> points;
-    std::array<float, kMaxWaveSize> distances;  // from the ray's origin
-    std::size_t count = 0;
+/// A ray that hit a surface, and the surface.
+struct MetSurface {
+    TransportRay ray{};
+    ShadingPoint point{};
+    float distance = 0.0f;  // from the ray's origin
 };
+
+using Wave = FixedList<MetSurface, kMaxWaveSize>;
 
 /// What is decided at random for a ray (TransportRay::decision): from 1, less than kPurposeCount.
 enum Purpose : std::uint64_t {
@@ -72,31 +73,32 @@ enum Way : std::uint64_t { kMirror = 1, kRefraction, kThroughHole, kBounce };
 /// Rays to lights, gathered to be followed together, and what each brings if nothing is in the way.
 class ShadowWave {
  public:
-    void add(const Ray& ray, float distance, std::size_t point, Color light) {
-        rays_[count_] = ray;
-        intervals_[count_] = shadow_interval(ray, distance);
-        points_[count_] = point;
-        lights_[count_] = light;
-        ++count_;
+    /// `owner` says what the light is for.
+    void add(const Vec3& origin, const LightSample& sample, std::size_t owner, const Color& light) {
+        const Ray& ray = rays_.add_made([&] { return Ray{origin, sample.wi}; });
+        intervals_.add_made([&] { return shadow_interval(ray, sample.distance); });
+        owners_.add(owner);
+        lights_.add(light);
     }
 
-    /// Calls receive(point, light) for each ray, with the light that comes through.
+    /// Calls receive(owner, light) for each ray, with the light that comes through.
     template <class Receive>
     void follow(const WaveContext& context, Receive receive) {
-        std::array<Color, kMaxWaveSize> shares;
-        find_light_shares(context.lit, context.shadow_kind, std::span(rays_).first(count_),
-                          std::span(intervals_).first(count_), std::span(shares).first(count_),
-                          context.counts.shadow);
-        for (std::size_t i = 0; i < count_; ++i) receive(points_[i], shares[i] * lights_[i]);
-        count_ = 0;
+        Color shares[kMaxWaveSize];
+        find_light_shares(context.lit, context.shadow_kind, rays_.all(), intervals_.all(),
+                          std::span(shares).first(rays_.size()), context.counts.shadow);
+        for (std::size_t i = 0; i < rays_.size(); ++i) receive(owners_[i], shares[i] * lights_[i]);
+        rays_.clear();
+        intervals_.clear();
+        owners_.clear();
+        lights_.clear();
     }
 
  private:
-    std::array<Ray, kMaxWaveSize> rays_;
-    std::array<Interval, kMaxWaveSize> intervals_;
-    std::array<std::size_t, kMaxWaveSize> points_;
-    std::array<Color, kMaxWaveSize> lights_;
-    std::size_t count_ = 0;
+    FixedList<Ray, kMaxWaveSize> rays_;
+    FixedList<Interval, kMaxWaveSize> intervals_;
+    FixedList<std::size_t, kMaxWaveSize> owners_;
+    FixedList<Color, kMaxWaveSize> lights_;
 };
 
 inline float largest(Color color) {

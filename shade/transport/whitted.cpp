@@ -12,8 +12,8 @@ namespace {
 class DirectLight {
  public:
     DirectLight(const WaveContext& context, const Wave& wave) : context_(context), wave_(wave) {
-        for (std::size_t i = 0; i < wave.count; ++i) {
-            const ShadingPoint& point = wave.points[i];
+        for (std::size_t i = 0; i < wave.size(); ++i) {
+            const ShadingPoint& point = wave[i].point;
             wo_[i] = point.local(point.wo);
             origins_[i] = point.leaving(point.wo).origin;  // on the side of all lights
             sums_[i] = Color{0.0f};
@@ -22,37 +22,43 @@ class DirectLight {
     }
 
     void add_light(std::uint32_t light) {
-        const std::uint32_t sample_count = context_.lit.lights.sample_count(light);
+        const LightTable& lights = context_.lit.lights;
+        const std::uint32_t sample_count = lights.sample_count(light);
         for (std::uint32_t part = 0; part < sample_count; ++part) {
-            for (std::size_t i = 0; i < wave_.count; ++i) {
-                if (is_lit_[i]) add_sample(i, light, part, sample_count);
-            }
-            shadows_.follow(context_, [&](std::size_t point, Color light_through) {
-                sums_[point] += light_through;
+            // What kind of light it is, is asked for once for all points.
+            lights.visit(light, [&](const auto& source) {
+                for (std::size_t i = 0; i < wave_.size(); ++i) {
+                    if (is_lit_[i]) add_sample(source, i, light, part, sample_count);
+                }
             });
+            shadows_.follow(context_,
+                            [&](std::size_t i, const Color& through) { sums_[i] += through; });
         }
     }
 
-    Color sum(std::size_t point) const { return sums_[point]; }
+    const Color& sum(std::size_t point) const { return sums_[point]; }
 
  private:
-    void add_sample(std::size_t i, std::uint32_t light, std::uint32_t part,
+    template <class Source>
+    void add_sample(const Source& source, std::size_t i, std::uint32_t light, std::uint32_t part,
                     std::uint32_t sample_count) {
-        const ShadingPoint& point = wave_.points[i];
-        const TransportRay& ray = wave_.rays[i];
+        const auto& [ray, point, distance] = wave_[i];
         const LightTable& lights = context_.lit.lights;
         const DVec2 u =
             lights.has_extent(light)
                 ? context_.sample_of(ray).pair(ray.decision(kLightPoint, light), part, sample_count)
                 : DVec2{0.0};
-        const std::optional<LightSample> sample =
-            lights.sample(light, DVec3{point.surface.position}, point.normal, u);
+        const DVec3 position{point.surface.position};
+        const std::optional<LightSample> sample = sample_light(source, position, point.normal, u);
         if (!sample || !point.is_before(sample->wi)) return;
-        const Color bright = sample->irradiance / static_cast<float>(sample_count) *
-                             reflected(point.material, point.local(sample->wi), wo_[i]);
+        const Vec3 wi = point.local(sample->wi);
+        const Color irradiance = sample_count == 1
+                                     ? sample->irradiance
+                                     : sample->irradiance / static_cast<float>(sample_count);
+        const Color bright = irradiance * reflected(point.material, wi, wo_[i]);
         if (bright == Color{0.0f}) return;
         if (lights.casts_shadow(light)) {
-            shadows_.add({origins_[i], sample->wi}, sample->distance, i, bright);
+            shadows_.add(origins_[i], *sample, i, bright);
         } else {
             sums_[i] += bright;
         }
@@ -61,10 +67,10 @@ class DirectLight {
     const WaveContext& context_;
     const Wave& wave_;
     ShadowWave shadows_;
-    std::array<Vec3, kMaxWaveSize> wo_;
-    std::array<Vec3, kMaxWaveSize> origins_;
-    std::array<Color, kMaxWaveSize> sums_;
-    std::array<bool, kMaxWaveSize> is_lit_;
+    Vec3 wo_[kMaxWaveSize];
+    Vec3 origins_[kMaxWaveSize];
+    Color sums_[kMaxWaveSize];
+    bool is_lit_[kMaxWaveSize];
 };
 
 void push(const WaveContext& context, TransportRay ray, Color weight) {
@@ -99,11 +105,11 @@ void shade_whitted(const WaveContext& context, Wave& wave) {
     for (std::uint32_t light = 0; light < context.lit.lights.count(); ++light) {
         direct.add_light(light);
     }
-    for (std::size_t i = 0; i < wave.count; ++i) {
-        const MaterialPoint& material = wave.points[i].material;
-        context.add(wave.rays[i], material.emission + context.settings.ambient * material.ambient +
-                                      direct.sum(i));
-        push_onward(context, wave.rays[i], wave.points[i], wave.distances[i]);
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        const auto& [ray, point, distance] = wave[i];
+        context.add(ray, point.material.emission +
+                             context.settings.ambient * point.material.ambient + direct.sum(i));
+        push_onward(context, ray, point, distance);
     }
 }
 

@@ -50,7 +50,7 @@ TEST(Guide, PicturesAreThoseOfTheScenes) {
     const char* const bless = std::getenv("LRAY_BLESS");
     const bool is_blessing = bless != nullptr && std::string_view(bless) == "guide";
     for (const Lesson& lesson : lessons()) {
-        const auto result = test::run_process({LRAY_BINARY, "-n", "1", "-i", "-", "-o", "-",
+        const auto result = test::run_process({LRAY_BINARY, "-ps", "16", "-i", "-", "-o", "-",
                                                "--format", "png", "--size", "240x180", "--quiet"},
                                               lesson.scene);
         EXPECT_EQ(result.exit_code, 0) << lesson.title;

@@ -24,12 +24,6 @@ Vec3 rounded_away(DVec3 positive) {
     return {next_up(nearest.x), next_up(nearest.y), next_up(nearest.z)};
 }
 
-/// Adds the offset and rounds so that it is no less far.
-float moved_away(float position, double offset) {
-    const float moved = static_cast<float>(static_cast<double>(position) + offset);
-    return offset > 0.0 ? next_up(moved) : offset < 0.0 ? next_down(moved) : moved;
-}
-
 /// Brings a site from the space of a prototype to that of an instance.
 Site placed(const Site& site, const scene::AffineFrame& frame) {
     const DMat3 object_from_world{frame.object_from_world};
@@ -91,17 +85,6 @@ SurfacePoint surface_at(const scene::World& world, const Ray& ray, const Hit& hi
 
     const DVec3 error = rounding + along_normal * absolute(normal);
     return {Vec3{site.position}, rounded_away(error), Vec3{normal}, site.position_local};
-}
-
-Vec3 offset_origin(const Vec3& position, const Vec3& error, const Vec3& normal,
-                   const Vec3& direction) {
-    const DVec3 n{normal};
-    // (1 + gamma(4)): the float normal may be a little shorter than 1.
-    const double distance =
-        dot(absolute(n), DVec3{error}) * (1.0 + static_cast<double>(gamma<float>(4)));
-    const DVec3 offset = n * (dot(n, DVec3{direction}) < 0.0 ? -distance : distance);
-    return {moved_away(position.x, offset.x), moved_away(position.y, offset.y),
-            moved_away(position.z, offset.z)};
 }
 
 }  // namespace lray::bvh

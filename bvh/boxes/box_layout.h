@@ -57,8 +57,9 @@ struct alignas(32) SphereBlock {
 };
 static_assert(sizeof(SphereBlock) == 160);
 
-/// Primitives of the kinds with an affine frame, by lane, as in TriangleBlock: each is inside of a
-/// cylinder around +Y of its object space, from y = bottom to y = top. Shape:
+/// Primitives of the kinds with an affine frame, by lane, as in TriangleBlock, but that the other
+/// lanes repeat the first: each is inside of a cylinder around +Y of its object space, from y =
+/// bottom to y = top. Shape:
 /// object_from_world[column][row][lane].
 struct alignas(32) FramedBlock {
     float origin[3][kBoxWidth];

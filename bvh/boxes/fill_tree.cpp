@@ -121,8 +121,9 @@ Bound bound_of(const scene::Geometry& geometry, scene::PrimitiveId id) {
 void fill_block(FramedBlock& block, const scene::Geometry& geometry,
                 std::span<const BuildRef> refs) {
     std::ranges::fill(block.ids, kNoLane);
-    for (std::size_t lane = 0; lane < refs.size(); ++lane) {
-        const Bound bound = bound_of(geometry, scene::PrimitiveId::of_value(refs[lane].id));
+    for (std::size_t lane = 0; lane < kBoxWidth; ++lane) {
+        const BuildRef& ref = refs[lane < refs.size() ? lane : 0];
+        const Bound bound = bound_of(geometry, scene::PrimitiveId::of_value(ref.id));
         double stretch = 0.0;
         for (int column = 0; column < 3; ++column) {
             const auto at = static_cast<std::size_t>(column);
@@ -137,7 +138,7 @@ void fill_block(FramedBlock& block, const scene::Geometry& geometry,
         block.radius[lane] = static_cast<float>(bound.radius);
         block.bottom[lane] = static_cast<float>(bound.bottom);
         block.top[lane] = static_cast<float>(bound.top);
-        block.ids[lane] = refs[lane].id;
+        if (lane < refs.size()) block.ids[lane] = ref.id;
     }
 }
 

@@ -127,19 +127,36 @@ HWY_INLINE hn::Mask<D> misses(D d, const FramedBound<D>& bound, const BoundRay<D
         hn::Add(hn::Mul(size_of(d, way), slack), hn::Mul(ray.origin_error, bound.stretch));
     const V dir_error = hn::Mul(size_of(d, ray.dir), slack);
 
-    // Seen along the axis: how far the ray passes it by, and where it does.
-    const V speed = hn::Sqrt(hn::Add(hn::Mul(dir[0], dir[0]), hn::Mul(dir[2], dir[2])));
+    // Seen along the axis: how far the ray passes it by. With what it may be off by, all times the
+    // speed, of which the square is known and no more than `most_speed`.
+    const V speed_squared = hn::Add(hn::Mul(dir[0], dir[0]), hn::Mul(dir[2], dir[2]));
+    const V most_speed = hn::Add(hn::Abs(dir[0]), hn::Abs(dir[2]));
+    const V distance = hn::Add(hn::Abs(origin[0]), hn::Abs(origin[2]));
+    const V pass = hn::Sub(hn::Mul(origin[0], dir[2]), hn::Mul(origin[2], dir[0]));
+    const V pass_off = hn::Mul(
+        hn::Set(d, 6.0f), hn::Add(hn::Mul(origin_error, most_speed), hn::Mul(distance, dir_error)));
+    const V radius = hn::Mul(bound.radius, hn::Set(d, 1.0f + kBoundSlack));
+    const V beyond =
+        hn::Mul(pass_off, hn::Add(hn::Mul(two, hn::Mul(radius, most_speed)), pass_off));
+    const auto is_usual =
+        hn::And(hn::Gt(speed_squared, hn::Set(d, kLeastSpeedAside * kLeastSpeedAside)),
+                hn::Lt(speed_squared, hn::Set(d, kMostSpeedAside * kMostSpeedAside)));
+    const auto is_aside =
+        hn::And(is_usual, hn::Gt(hn::Mul(pass, pass),
+                                 hn::Add(hn::Mul(hn::Mul(radius, radius), speed_squared), beyond)));
+    if (hn::AllTrue(d, is_aside)) return is_aside;
+
+    // Where it does.
+    const V speed = hn::Sqrt(speed_squared);
     const V t_per_length = hn::Div(hn::Set(d, 1.0f), speed);
     const V x = hn::Mul(dir[0], t_per_length);
     const V z = hn::Mul(dir[2], t_per_length);
-    const V across = hn::Sub(hn::Mul(origin[0], z), hn::Mul(origin[2], x));
+    const V across = hn::Mul(pass, t_per_length);
     const V along = hn::Neg(hn::Add(hn::Mul(origin[0], x), hn::Mul(origin[2], z)));
     // The direction turns by as much as its error is of it, and what is far moves by that.
     const V turn = hn::Mul(two, hn::Mul(dir_error, t_per_length));
-    const V off = hn::Add(hn::Mul(hn::Add(hn::Abs(origin[0]), hn::Abs(origin[2])), turn),
-                          hn::Mul(two, origin_error));
-    const V larger = hn::Add(hn::Mul(bound.radius, hn::Set(d, 1.0f + kBoundSlack)),
-                             hn::Mul(hn::Set(d, 3.0f), off));
+    const V off = hn::Add(hn::Mul(distance, turn), hn::Mul(two, origin_error));
+    const V larger = hn::Add(radius, hn::Mul(hn::Set(d, 3.0f), off));
     const V depth_squared = hn::Sub(hn::Mul(larger, larger), hn::Mul(across, across));
     const V depth = hn::Add(hn::Sqrt(hn::Max(depth_squared, zero)), off);
     const V entry_t = hn::Mul(hn::Sub(along, depth), t_per_length);
@@ -153,8 +170,6 @@ HWY_INLINE hn::Mask<D> misses(D d, const FramedBound<D>& bound, const BoundRay<D
     const V y_off = hn::Mul(two, hn::Add(origin_error, hn::Mul(hn::Abs(exit), dir_error)));
     const auto is_below = hn::Lt(hn::Add(hn::Max(y_entry, y_exit), y_off), bound.bottom);
     const auto is_above = hn::Gt(hn::Sub(hn::Min(y_entry, y_exit), y_off), bound.top);
-    const auto is_usual = hn::And(hn::Gt(speed, hn::Set(d, kLeastSpeedAside)),
-                                  hn::Lt(speed, hn::Set(d, kMostSpeedAside)));
     return hn::And(is_usual, hn::Or(hn::Or(hn::Lt(depth_squared, zero), hn::Gt(entry, exit)),
                                     hn::Or(is_below, is_above)));
 }

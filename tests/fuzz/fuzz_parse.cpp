@@ -57,7 +57,7 @@ Outcome parse_and_check(std::string_view text, bool use_literal_fast_path) {
                     scene.nodes.size()};
     // Imports and includes have no file here: they count as reported.
     if (file.is_structure_known) {
-        parser::check(file.items, symbols, sources, 256, arena, diagnostics);
+        parser::check(file.items, scene.nodes, symbols, sources, 256, arena, diagnostics);
     }
     for (const Diagnostic* diagnostic : diagnostics.sorted()) {
         LRAY_ASSERT(diagnostic->span.is_nowhere() || diagnostic->span.offset <= text.size());

@@ -68,22 +68,23 @@ std::string_view read_name(const char* at) {
 
 /// Reads `n` or `[n, n, n]` on one line; null when it is anything else.
 const char* read_numbers(const char* at, std::size_t width, double* numbers) {
-    if (width == 1) {
-        const NumberLiteral literal = read_number_literal(at);
-        *numbers = literal.value;
-        return literal.end;
+    const bool is_list = width > 1;
+    if (is_list) {
+        if (*at != '[') return nullptr;
+        at = skip_blanks(at + 1);
     }
-    if (*at != '[') return nullptr;
-    ++at;
-    for (std::size_t i = 0; i < width; ++i) {
-        const NumberLiteral literal = read_number_literal(skip_blanks(at));
+    for (std::size_t i = 0;;) {
+        // Read in one place, it becomes part of the loop.
+        const NumberLiteral literal = read_number_literal(at);
         if (literal.end == nullptr) return nullptr;
         numbers[i] = literal.value;
+        if (!is_list) return literal.end;
         at = skip_blanks(literal.end);
-        if (*at != (i + 1 < width ? ',' : ']')) return nullptr;
-        ++at;
+        ++i;
+        if (*at != (i < width ? ',' : ']')) return nullptr;
+        if (i == width) return at + 1;
+        at = skip_blanks(at + 1);
     }
-    return at;
 }
 
 struct Literal {

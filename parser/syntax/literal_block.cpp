@@ -74,7 +74,7 @@ const char* read_numbers(const char* at, std::size_t width, double* numbers) {
         at = skip_blanks(at + 1);
     }
     for (std::size_t i = 0;;) {
-        // Read in one place, it becomes part of the loop.
+        // One call for both forms: it is inlined then.
         const NumberLiteral literal = read_number_literal(at);
         if (literal.end == nullptr) return nullptr;
         numbers[i] = literal.value;
@@ -87,6 +87,7 @@ const char* read_numbers(const char* at, std::size_t width, double* numbers) {
     }
 }
 
+/// A literal that was read.
 struct Literal {
     Value value{};
     const char* end = nullptr;  // null: not a literal of the wanted type
@@ -170,7 +171,7 @@ std::optional<LiteralBlock> Parser::literal_block(const Token& name) {
     if (!is_complete(properties, values) || may_go_on(at + 1)) return std::nullopt;
 
     const auto end = static_cast<std::uint32_t>(at + 1 - lexer_.begin());
-    if (end - name.offset > Span::kMaxLength) return std::nullopt;  // it could not be read again
+    if (end - name.offset > Span::kMaxLength) return std::nullopt;  // see material_name()
     const Span span = lexer_.span(name.offset, end);
     const std::optional<ShapeRef> shape =
         build_shape(*schema, values, span, context_.scene, literal_problems_);

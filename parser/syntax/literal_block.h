@@ -5,7 +5,8 @@
 
 namespace lray::parser {
 
-/// Returns where a block of literals that has a material names it.
+/// Returns where a block of literals that has a material names it: found in its text again, as it
+/// is asked for in messages alone.
 Span material_name(Span block, const Sources& sources);
 
 }  // namespace lray::parser

@@ -212,7 +212,9 @@ Item* Parser::literals(const LiteralBlock& block) {
     if (open_items_.size() > first_item_ && open_items_.back()->kind == ItemKind::literals) {
         LiteralsItem& last = static_cast<LiteralsItem&>(*open_items_.back());
         const Symbol material = last.material == nullptr ? kNoSymbol : last.material->symbol;
-        if (material == block.material) {
+        // What stands between them may have been dropped for its mistakes, not its nodes.
+        const bool is_next = last.first_node + last.count == block.node_id.value;
+        if (material == block.material && is_next) {
             ++last.count;
             return nullptr;
         }

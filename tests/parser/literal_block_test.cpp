@@ -332,7 +332,7 @@ TEST(LiteralShortCut, GeneratedProgramsAreTheSameWithoutIt) {
     LRAY_TRACE_SEED(seed);
     Random random(seed);
     int scenes = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         const std::string text = Programs(random).file();
         const std::string part = random.below(2) == 0 ? "let red = material { diffuse: 0.25 }\n"
                                                       : literal_shapes(random, kDefined);
@@ -343,7 +343,7 @@ TEST(LiteralShortCut, GeneratedProgramsAreTheSameWithoutIt) {
             << text << "\npart.lrs:\n"
             << part;
     }
-    EXPECT_GT(scenes, 300) << "too few of the programs are right to compare anything";
+    EXPECT_GT(scenes, 200) << "too few of the programs are right to compare anything";
 }
 
 /// What a hasty hand does to a text.
@@ -385,7 +385,7 @@ TEST(LiteralShortCut, MutatedProgramsAreTheSameWithoutIt) {
     Random random(seed);
     int scenes = 0;
     int mistakes = 0;
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < 4000; ++i) {
         std::string text = Programs(random).file();
         for (std::uint64_t k = random.below(4); k > 0; --k) mutate(text, random);
         const std::vector<Companion> companions = {{"part.lrs", "box { }\n"}};
@@ -397,8 +397,8 @@ TEST(LiteralShortCut, MutatedProgramsAreTheSameWithoutIt) {
         mistakes += fast.scene ? 0 : 1;
         ASSERT_EQ(outcome(fast), outcome(whole)) << text;
     }
-    EXPECT_GT(scenes, 300) << "too few of the programs are right to compare anything";
-    EXPECT_GT(mistakes, 500) << "too few of the programs are wrong to compare messages";
+    EXPECT_GT(scenes, 200) << "too few of the programs are right to compare anything";
+    EXPECT_GT(mistakes, 300) << "too few of the programs are wrong to compare messages";
 }
 
 TEST(LiteralShortCut, ExamplesAreTheSameWithoutIt) {
@@ -503,6 +503,14 @@ plane { material: blue }
     EXPECT_EQ(parsed.tree, "#3:red\n#1:blue\n#2\n(group {#1:blue})\n#1:blue");
     EXPECT_EQ(parsed.errors, "");
     EXPECT_EQ(parsed.node_count, 8u);
+}
+
+TEST(LiteralShortCut, NodesOfWhatIsDroppedForItsMistakesStandApart) {
+    const Parsed parsed = parse_text(
+        "sphere { material: red }\nf(group { box { material: red } } 3)\nsphere { material: red }");
+    EXPECT_EQ(parsed.tree, "#1:red\n#1:red");
+    EXPECT_EQ(parsed.error_count, 1u);
+    EXPECT_EQ(parsed.node_count, 3u);
 }
 
 TEST(LiteralShortCut, OtherPropertiesAndRepetitionAreLeftToTheFullParser) {

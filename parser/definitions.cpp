@@ -21,7 +21,8 @@ std::optional<Value> literal(std::string_view text, ParseContext& context) {
     const bool is_let = file.items.size() == 1 && file.items[0]->kind == ItemKind::let;
     if (!is_let || problems.has_errors() || !file.imports.empty()) return std::nullopt;
     constexpr std::uint32_t kNesting = 64;
-    check(file.items, context.symbols, context.sources, kNesting, context.arena, problems);
+    check(file.items, context.scene.nodes, context.symbols, context.sources, kNesting,
+          context.arena, problems);
     if (problems.has_errors()) return std::nullopt;
     return constant_value(*static_cast<const LetItem&>(*file.items[0]).value, context.arena);
 }

@@ -50,7 +50,8 @@ LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess&
     ProgramLoader program(context, loader, limits, diagnostics);
     const std::span<Item* const> items = program.parse(*main);
     if (!program.is_structure_known()) return {};
-    const Checked checked = check(items, symbols, sources, limits.nesting, arena, diagnostics);
+    const Checked checked =
+        check(items, scene.nodes, symbols, sources, limits.nesting, arena, diagnostics);
     scene.animation = read_animation(items, symbols, diagnostics);
     if (diagnostics.has_errors()) return {};
 

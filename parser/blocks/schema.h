@@ -193,6 +193,10 @@ constexpr bool takes(const BlockSchema& schema, CommonProperty property) {
 /// Shape: in the order of CommonProperty.
 std::span<const PropertySchema> common_properties();
 
+inline const PropertySchema& common_schema(CommonProperty property) {
+    return common_properties()[static_cast<std::size_t>(property)];
+}
+
 /// Shape: in the order of BlockKind.
 std::span<const BlockSchema> block_schemas();
 

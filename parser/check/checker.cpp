@@ -22,9 +22,10 @@ std::uint32_t FileChecker::check(std::span<Item* const> list, Module* module) {
     return context_->frame_size;
 }
 
-Checked check(std::span<Item* const> items, Symbols& symbols, const Sources& sources,
-              std::uint32_t max_nesting, Arena& arena, Diagnostics& diagnostics) {
-    Program program{symbols, sources, max_nesting, arena, diagnostics};
+Checked check(std::span<Item* const> items, std::span<const scene::Node> nodes, Symbols& symbols,
+              const Sources& sources, std::uint32_t max_nesting, Arena& arena,
+              Diagnostics& diagnostics) {
+    Program program{nodes, symbols, sources, max_nesting, arena, diagnostics};
     program.is_too_deep = diagnostics.has_limit_errors();
     FileChecker checker(program);
     program.checked.frame_size = checker.check(items, nullptr);

@@ -11,6 +11,7 @@
 #include "parser/arena.h"
 #include "parser/symbols.h"
 #include "parser/syntax/ast.h"
+#include "scene/scene.h"
 
 namespace lray::parser {
 
@@ -36,10 +37,12 @@ struct Checked {
     std::vector<Param> params{};
 };
 
-/// Checks a program, and writes into its tree what names mean.
+/// Checks a program, and writes into its tree what names mean. `nodes` are those that the parser
+/// made of literals.
 /// Errors: E0115 when blocks, expressions and includes together are nested too deep to walk over,
 /// E0118, E02.., E03.. of literals, E04..; warns W11.., W14...
-Checked check(std::span<Item* const> items, Symbols& symbols, const Sources& sources,
-              std::uint32_t max_nesting, Arena& arena, Diagnostics& diagnostics);
+Checked check(std::span<Item* const> items, std::span<const scene::Node> nodes, Symbols& symbols,
+              const Sources& sources, std::uint32_t max_nesting, Arena& arena,
+              Diagnostics& diagnostics);
 
 }  // namespace lray::parser

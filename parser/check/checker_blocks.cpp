@@ -1,5 +1,6 @@
 // Checks blocks: what their head is, what stands in them, and where they may stand.
 #include "parser/check/checker_state.h"
+#include "parser/syntax/literal_block.h"
 
 namespace lray::parser {
 
@@ -76,6 +77,29 @@ const BlockSchema* FileChecker::schema_of(const Expr& expr) const {
 
 void FileChecker::know_schema(Span definition, const BlockSchema* schema) {
     if (schema != nullptr) program_.schemas[key(definition)] = schema;
+}
+
+// The parser has decoded and checked all of them but the name of their material.
+void FileChecker::literals(LiteralsItem& item) {
+    if (item.material == nullptr) return;
+    const NameExpr written = *item.material;
+    const std::size_t errors_before = diagnostics_.error_count();
+    material_of_literals(*item.material);
+    if (diagnostics_.error_count() == errors_before) return;
+    for (std::uint32_t i = 1; i < item.count; ++i) {  // what is wrong is told of each
+        NameExpr name = written;
+        name.span = material_name(program_.nodes[item.first_node + i].span, sources_);
+        material_of_literals(name);
+    }
+}
+
+void FileChecker::material_of_literals(NameExpr& name) {
+    ++program_.nesting;
+    if (fits_nesting(name.span)) {
+        expression(name);
+        value_of(common_schema(CommonProperty::material), name);
+    }
+    --program_.nesting;
 }
 
 void FileChecker::block(BlockExpr& expr, bool is_placed) {

@@ -80,7 +80,7 @@ void FileChecker::item(Item& item, const Place& place) {
         case ItemKind::continue_loop:
             return;
         case ItemKind::literals:
-            return;  // decoded and checked by the parser
+            return literals(static_cast<LiteralsItem&>(item));
     }
     LRAY_ASSERT(false);
 }

@@ -17,6 +17,7 @@ namespace lray::parser {
 
 /// What the files of a program share while they are checked.
 struct Program {
+    std::span<const scene::Node> nodes{};  // of literals
     Symbols& symbols;
     const Sources& sources;
     std::uint32_t max_nesting = 0;
@@ -103,6 +104,8 @@ class FileChecker {
     void top_level_block(const BlockExpr& placed, const BlockSchema& schema);
     const BlockSchema* schema_of(const Expr& expr) const;
     void know_schema(Span definition, const BlockSchema* schema);
+    void literals(LiteralsItem& item);
+    void material_of_literals(NameExpr& name);
     void block(BlockExpr& expr, bool is_placed);
     void head_and_body(BlockExpr& expr, bool is_placed);
 

@@ -46,6 +46,8 @@ void Evaluator::run(std::span<Item* const> list) {
     frame_ = slots_.data();
     top_ = checked_.frame_size;
     diagnostics_.explain_with([this](Diagnostic& diagnostic) { explain_calls(diagnostic); });
+    const std::uint64_t limit = environment_.settings.limits.nodes;
+    if (scene_.nodes.size() > limit) too_many_nodes(scene_.nodes[limit].span);  // all literals
     items(list, root);
     diagnostics_.explain_with({});
     scene_.root = add_node(root, scene::NodeKind::group, scene_.groups.size(), nullptr);

@@ -357,13 +357,16 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
 // Every node that running the scene makes comes through here.
 NodeId Evaluator::push_node(const scene::Node& node) {
     const std::uint64_t limit = environment_.settings.limits.nodes;
-    if (scene_.nodes.size() >= limit && !budget_.is_spent) {
-        error(Code::E0513, node.span, fmt::format("the scene has more than {} nodes", limit))
-            .with_help("raise the limit with `--max-nodes N`");
-        budget_.spend();
-    }
+    if (scene_.nodes.size() >= limit && !budget_.is_spent) too_many_nodes(node.span);
     scene_.nodes.push_back(node);
     return NodeId(scene_.nodes.size() - 1);
+}
+
+void Evaluator::too_many_nodes(Span span) {
+    error(Code::E0513, span,
+          fmt::format("the scene has more than {} nodes", environment_.settings.limits.nodes))
+        .with_help("raise the limit with `--max-nodes N`");
+    budget_.spend();
 }
 
 }  // namespace lray::parser

@@ -32,20 +32,9 @@ Flow Evaluator::item(Item& item, OpenBlock& open) {
         case ItemKind::block:
             if (!open.is_import) placed_block(*static_cast<BlockItem&>(item).block, open);
             return Flow::normal;
-        case ItemKind::literals: {
-            if (open.is_import) return Flow::normal;
-            const LiteralsItem& literals = static_cast<const LiteralsItem&>(item);
-            // A group in a loop may hold them any number of times.
-            const std::uint64_t size = std::uint64_t{literals.count} * sizeof(scene::NodeId);
-            const bool is_paid =
-                open.span.is_nowhere() || (take_share(literals.count, item.span) &&
-                                           take_kept_bytes(budget_, size, item.span, diagnostics_));
-            if (!is_paid) return Flow::normal;
-            for (std::uint32_t i = 0; i < literals.count; ++i) {
-                open.children.push_back(scene::NodeId(literals.first_node + i));
-            }
+        case ItemKind::literals:
+            if (!open.is_import) literals(static_cast<const LiteralsItem&>(item), open);
             return Flow::normal;
-        }
         case ItemKind::include:
             return items(static_cast<const IncludeItem&>(item).items, open);
         case ItemKind::import:

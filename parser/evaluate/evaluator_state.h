@@ -89,6 +89,9 @@ class Evaluator final : public Runtime {
     };
     Flow time_round(const Body& body, const LoopInfo& loop, LoopMemory& memory, OpenBlock& open);
     void end_round(const LoopInfo& loop, LoopMemory& memory);
+    void literals(const LiteralsItem& item, OpenBlock& open);
+    bool give_material(const LiteralsItem& item);
+    std::optional<scene::MaterialId> material_of_literals(const NameExpr& name);
     Value* variable(const SlotRef& slot) {
         return slot.is_global ? &globals_[slot.slot] : &frame_[slot.slot];
     }
@@ -137,6 +140,7 @@ class Evaluator final : public Runtime {
                                              scene::NodeId children, Span span);
     scene::NodeId add_group(const std::vector<scene::NodeId>& children, Span span);
     scene::NodeId push_node(const scene::Node& node);
+    void too_many_nodes(Span span);
     Value node_value(scene::NodeId id);
 
     // Calls

@@ -327,9 +327,11 @@ struct ImportItem : Item {
 };
 
 /// Neighbouring blocks of literals, which left no tree: nodes [first_node, first_node + count).
+/// What they have besides literals is a material, all the same one: it is known when it runs.
 struct LiteralsItem : Item {
     std::uint32_t first_node = 0;
     std::uint32_t count = 0;
+    NameExpr* material = nullptr;  // as the first one names it; null: none of them has one
 };
 
 struct FunctionItem : Item {

@@ -293,8 +293,11 @@ Expr* Parser::block(Expr* head, bool is_placed) {
         Expr* made = string();
         if (made->kind == ExprKind::string) label = static_cast<StringExpr*>(made);
     }
-    const Body made_body = body(context_.sources.text(head->span),
-                                is_placed ? around_.placed_block() : around_.value_block());
+    Surroundings inside = is_placed ? around_.placed_block() : around_.value_block();
+    inside.has_children =
+        head->kind == ExprKind::name &&
+        find_block(static_cast<const NameExpr*>(head)->symbol) == &block_schema(BlockKind::group);
+    const Body made_body = body(context_.sources.text(head->span), inside);
     BlockExpr* made = make<BlockExpr>(ExprKind::block, span_from(begin), {head});
     made->head = head;
     made->label = label;

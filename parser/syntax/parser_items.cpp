@@ -77,7 +77,8 @@ void Parser::version() {
 // items = { SEP } [ item { sep item } ] { SEP }
 // sep   = SEP { SEP } | (* empty, if the previous item ended in "}" *)
 std::span<Item* const> Parser::items(bool is_file) {
-    const std::size_t first = open_items_.size();
+    const std::size_t outer_first = std::exchange(first_item_, open_items_.size());
+    const std::size_t first = first_item_;
     bool is_first = true;
     while (!is_ended_) {
         bool is_separated = std::exchange(is_separated_, false) || is_first;
@@ -106,16 +107,7 @@ std::span<Item* const> Parser::items(bool is_file) {
         }
         const std::uint32_t begin = token_.offset;
         Item* const read = item();
-        if (read != nullptr) {
-            const bool extends_literals = read->kind == ItemKind::literals &&
-                                          open_items_.size() > first &&
-                                          open_items_.back()->kind == ItemKind::literals;
-            if (extends_literals) {
-                ++static_cast<LiteralsItem*>(open_items_.back())->count;
-            } else {
-                open_items_.push_back(read);
-            }
-        }
+        if (read != nullptr) open_items_.push_back(read);
         if (is_panicking_) synchronize();
         if (token_.offset == begin && token_.kind != TokenKind::end && !is_ended_) advance();
         is_first = false;
@@ -124,6 +116,7 @@ std::span<Item* const> Parser::items(bool is_file) {
                                       open_items_.end());
     const std::span<Item* const> result = context_.arena.copy(read);
     open_items_.resize(first);
+    first_item_ = outer_first;
     return result;
 }
 
@@ -187,16 +180,13 @@ void Parser::bad_statement() {
 
 // head_item = IDENT ":" expr | IDENT "=" expr | head [ STRING ] body | head
 Item* Parser::head_item() {
-    scene::NodeId node;
     // The short cut trusts braces; the second run over a file does not.
     const bool may_be_literal = context_.use_literal_fast_path && structure_ == Structure::braces &&
-                                !around_.runs_any_times;
-    if (may_be_literal && literal_block(token_, node)) {
-        LiteralsItem* result =
-            make_item<LiteralsItem>(ItemKind::literals, context_.scene.node(node).span);
-        result->first_node = node.value;
-        result->count = 1;
-        return result;
+                                !around_.runs_any_times && around_.has_children;
+    if (may_be_literal) {
+        if (const std::optional<LiteralBlock> block = literal_block(token_)) {
+            return literals(*block);
+        }
     }
     const Token name = token_;
     const Token next = ahead();
@@ -215,6 +205,29 @@ Item* Parser::head_item() {
     head->symbol = name.symbol;
     advance();
     return statement_expression(postfix_of(head, false, true));
+}
+
+// Null: the block has joined those before it.
+Item* Parser::literals(const LiteralBlock& block) {
+    if (open_items_.size() > first_item_ && open_items_.back()->kind == ItemKind::literals) {
+        LiteralsItem& last = static_cast<LiteralsItem&>(*open_items_.back());
+        const Symbol material = last.material == nullptr ? kNoSymbol : last.material->symbol;
+        // What stands between them may have been dropped for its mistakes, not its nodes.
+        const bool is_next = last.first_node + last.count == block.node_id.value;
+        if (material == block.material && is_next) {
+            ++last.count;
+            return nullptr;
+        }
+    }
+    LiteralsItem* result =
+        make_item<LiteralsItem>(ItemKind::literals, context_.scene.node(block.node_id).span);
+    result->first_node = block.node_id.value;
+    result->count = 1;
+    if (block.material != kNoSymbol) {
+        result->material = make<NameExpr>(ExprKind::name, block.material_span);
+        result->material->symbol = block.material;
+    }
+    return result;
 }
 
 // property = IDENT ":" expr

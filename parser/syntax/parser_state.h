@@ -23,6 +23,7 @@ struct Surroundings {
     bool is_in_component = false;
     bool is_if_branch = false;      // an `else` ends it
     bool runs_any_times = false;    // not once: nothing in it may become a node by being read
+    bool has_children = true;       // for sure: a file or a group
     bool has_loop_outside = false;  // which cannot be left from in here
     bool has_function_outside = false;
 
@@ -81,6 +82,13 @@ struct Surroundings {
     }
 };
 
+/// A block of literals that was read.
+struct LiteralBlock {
+    scene::NodeId node_id{};
+    Symbol material = kNoSymbol;  // none: it names no material
+    Span material_span{};
+};
+
 /// `i, x` of a loop over a list.
 struct LoopNames {
     Symbol index_name = kNoSymbol;  // none: only the element has a name
@@ -104,6 +112,7 @@ class Parser {
     Item* item();
     Item* keyword_item();
     Item* head_item();
+    Item* literals(const LiteralBlock& block);
     Item* property();
     Item* statement_expression(Expr* head);
     Body body(std::string_view head, const Surroundings& around);
@@ -176,7 +185,7 @@ class Parser {
     Expr* packed_list();
 
     // literal_block.cpp
-    bool literal_block(const Token& name, scene::NodeId& node);
+    std::optional<LiteralBlock> literal_block(const Token& name);
 
     // parser_recovery.cpp
     void synchronize();
@@ -246,6 +255,7 @@ class Parser {
 
     std::vector<Opener> openers_;
     std::vector<Item*> open_items_;  // of the blocks that are being read, innermost last
+    std::size_t first_item_ = 0;     // of the innermost block
     std::vector<IncludeItem*> includes_;
     std::vector<ImportItem*> imports_;
     Surroundings around_;

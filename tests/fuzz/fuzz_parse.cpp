@@ -12,6 +12,7 @@
 #include "parser/arena.h"
 #include "parser/check/checker.h"
 #include "parser/symbols.h"
+#include "parser/syntax/literal_block.h"
 #include "parser/syntax/parser.h"
 #include "scene/scene.h"
 
@@ -27,9 +28,9 @@ struct Outcome {
 };
 
 /// An item lies in its text, and neighbours in their order; those of a `literals` item are nodes
-/// that were made.
+/// that were made, and name the same material.
 void check_items(std::span<parser::Item* const> items, const scene::Scene& scene,
-                 std::size_t size) {
+                 const Sources& sources, std::size_t size) {
     std::uint32_t begin = 0;
     for (const parser::Item* item : items) {
         LRAY_ASSERT(item->span.offset >= begin && item->span.offset <= size);
@@ -37,6 +38,12 @@ void check_items(std::span<parser::Item* const> items, const scene::Scene& scene
         if (item->kind != parser::ItemKind::literals) continue;
         const auto& literals = static_cast<const parser::LiteralsItem&>(*item);
         LRAY_ASSERT(literals.first_node + std::uint64_t{literals.count} <= scene.nodes.size());
+        if (literals.material == nullptr) continue;
+        const std::string_view name = sources.text(literals.material->span);
+        for (std::uint32_t i = 0; i < literals.count; ++i) {
+            const Span node = scene.nodes[literals.first_node + i].span;
+            LRAY_ASSERT(sources.text(parser::material_name(node, sources)) == name);
+        }
     }
 }
 
@@ -52,12 +59,12 @@ Outcome parse_and_check(std::string_view text, bool use_literal_fast_path) {
         sources, symbols, arena, scene, long_lists, 256, use_literal_fast_path};
     const parser::ParsedFile file = parser::parse(source, context, diagnostics);
     LRAY_ASSERT(file.is_structure_known || diagnostics.has_errors());
-    check_items(file.items, scene, text.size());
+    check_items(file.items, scene, sources, text.size());
     Outcome outcome{file.is_structure_known, diagnostics.has_errors(), file.items.size(),
                     scene.nodes.size()};
     // Imports and includes have no file here: they count as reported.
     if (file.is_structure_known) {
-        parser::check(file.items, symbols, sources, 256, arena, diagnostics);
+        parser::check(file.items, scene.nodes, symbols, sources, 256, arena, diagnostics);
     }
     for (const Diagnostic* diagnostic : diagnostics.sorted()) {
         LRAY_ASSERT(diagnostic->span.is_nowhere() || diagnostic->span.offset <= text.size());

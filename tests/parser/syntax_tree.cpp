@@ -212,8 +212,11 @@ std::string TreePrinter::item(const Item& one) const {
             return fmt::format("(import \"{}\" {})", import.path->value,
                                import.alias == kNoSymbol ? "?" : name(import.alias));
         }
-        case ItemKind::literals:
-            return fmt::format("#{}", static_cast<const LiteralsItem&>(one).count);
+        case ItemKind::literals: {
+            const LiteralsItem& literals = static_cast<const LiteralsItem&>(one);
+            if (literals.material == nullptr) return fmt::format("#{}", literals.count);
+            return fmt::format("#{}:{}", literals.count, name(literals.material->symbol));
+        }
         case ItemKind::function:
             return function(*static_cast<const FunctionItem&>(one).function);
         case ItemKind::conditional:

@@ -97,6 +97,7 @@ SurfaceDetail surface_detail(const scene::World& world, const Hit& hit, const Su
 
 Vec3 shading_normal(const scene::World& world, const Hit& hit, const SurfacePoint& point) {
     if (!is_triangle(hit)) return point.normal;
+    if (hit.place == 0 && world.triangle_normals.empty()) return point.normal;  // none has any
     return triangle_shading_normal(find_place(world, hit.place), hit, point);
 }
 

@@ -1,10 +1,14 @@
 // Where samples are added up, so that any order and any split of them gives the same bits.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "base/assert.h"
+#include "base/numerics.h"
 #include "base/vec.h"
 
 namespace lray::render {
@@ -28,6 +32,7 @@ class Film {
  public:
     static constexpr float kMaxValue = 65504.0f;          // the largest half-precision float
     static constexpr std::uint32_t kMaxSamples = 32'768;  // a pixel: kMaxValue each still fit
+    static constexpr double kStepsOfOne = 0x1p32;         // of which 1.0 is made
 
     /// What is kept of the samples beside their sums: their squares tell how sure the mean is.
     enum class Keeps : std::uint8_t { sums, squares };
@@ -39,10 +44,37 @@ class Film {
 
     /// Adds a sample: clamped to +-kMaxValue and counted if it was beyond. Asserts that the pixel
     /// has fewer than kMaxSamples.
-    void add(std::uint32_t x, std::uint32_t y, const Color& sample);
+    void add(std::uint32_t x, std::uint32_t y, const Color& sample) {
+        LRAY_DCHECK(x < width_ && y < height_);
+        const std::size_t place = std::size_t{y} * width_ + x;
+        Pixel& target = pixels_[place];
+        LRAY_ASSERT(target.sample_count < kMaxSamples);
+        ++target.sample_count;
+        if (std::isnan(sample.r) || std::isnan(sample.g) || std::isnan(sample.b)) {
+            ++counts_.nan;
+            return;
+        }
+        bool is_clamped = false;
+        const std::int64_t steps[3] = {steps_of(sample.r, is_clamped),
+                                       steps_of(sample.g, is_clamped),
+                                       steps_of(sample.b, is_clamped)};
+        for (int channel = 0; channel < 3; ++channel) target.sum[channel] += steps[channel];
+        counts_.clamped += is_clamped ? 1 : 0;
+        if (squares_.empty()) return;
+        for (int channel = 0; channel < 3; ++channel) {
+            const Wide size = static_cast<std::uint64_t>(std::abs(steps[channel]));
+            squares_[place].sum[channel] += size * size;
+        }
+    }
 
     /// Returns the mean of the samples of a pixel; black if it has none.
-    Color resolve(std::uint32_t x, std::uint32_t y) const;
+    Color resolve(std::uint32_t x, std::uint32_t y) const {
+        const Pixel& source = pixel(x, y);
+        if (source.sample_count == 0) return Color{0.0f};
+        const double scale = 1.0 / (kStepsOfOne * source.sample_count);  // of one sample exact
+        return {light_of(source.sum[0], scale), light_of(source.sum[1], scale),
+                light_of(source.sum[2], scale)};
+    }
 
     /// Returns the standard error of the mean of a pixel: sqrt(variance / n), the variance that of
     /// its samples, estimated without bias. Made of exact integers: any order and any split of the
@@ -68,6 +100,15 @@ class Film {
     const Pixel& pixel(std::uint32_t x, std::uint32_t y) const {
         LRAY_DCHECK(x < width_ && y < height_);
         return pixels_[std::size_t{y} * width_ + x];
+    }
+
+    static std::int64_t steps_of(float light, bool& is_clamped) {
+        const float value = std::clamp(light, -kMaxValue, kMaxValue);
+        is_clamped = is_clamped || value != light;
+        return nearest_whole(static_cast<double>(value) * kStepsOfOne);  // exact product
+    }
+    static float light_of(std::int64_t sum, double scale) {
+        return static_cast<float>(static_cast<double>(sum) * scale);
     }
 
     std::uint32_t width_ = 0;

@@ -109,6 +109,11 @@ void follow_queue(const WaveContext& context, Wave& wave) {
     shade_wave(context, wave);
 }
 
+/// True if a ray from the camera that hits nothing brings the background and nothing else.
+bool has_plain_background(const LitWorld& lit, const Media& camera_media) {
+    return camera_media.is_empty() && !lit.lights.are_met() && !lit.lights.has_environment();
+}
+
 }  // namespace
 
 bool follow_light(const LitWorld& lit, const Settings& settings, const Media& camera_media,
@@ -129,7 +134,12 @@ bool follow_light(const LitWorld& lit, const Settings& settings, const Media& ca
                               queue,
                               cost};
     Wave wave;
+    const bool shows_background = has_plain_background(lit, camera_media);
     for (std::uint32_t i = 0; i < size; ++i) {
+        if (shows_background && camera.hits[i].is_none()) {
+            sums[i].add(settings.background);
+            continue;
+        }
         TransportRay ray{.ray = camera.rays[i], .cone = camera.cones[i], .sample = i};
         ray.media = camera_media;
         add_to_wave(context, wave, ray, camera.hits[i]);

@@ -53,7 +53,8 @@ class TileOfRays : public Tile {
     void lay_out() {
         const auto first = static_cast<std::uint32_t>(std::countr_zero(active));
         if (active == 0) return;
-        for (std::uint32_t i = 0; i < kMaxTileRays; ++i) {
+        const std::uint32_t end = (count() + kTileStep - 1) / kTileStep * kTileStep;
+        for (std::uint32_t i = 0; i < end; ++i) {
             const bool is_ray = is_active(i);
             const std::uint32_t source = is_ray ? i : first;
             for (int axis = 0; axis < 3; ++axis) {

@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lray::bvh::HWY_NAMESPACE {
 
-using RayFloats = hn::CappedTag<float, 16>;
+using RayFloats = hn::CappedTag<float, kTileStep>;
 using RayVec = hn::Vec<RayFloats>;
 inline constexpr std::uint32_t kRayStep = static_cast<std::uint32_t>(hn::MaxLanes(RayFloats()));
 inline constexpr std::uint64_t kStepBits = (std::uint64_t{1} << kRayStep) - 1;
@@ -30,9 +30,9 @@ HWY_INLINE Walk& started_walk(Tile& tile, std::size_t ray) {
 }
 
 /// Works out unit directions; of rays that are too slow or fast for float, what is not a number.
-HWY_INLINE void prepare_units(Tile& tile) {
+HWY_INLINE void prepare_units(Tile& tile, std::uint32_t count) {
     const RayFloats d;
-    for (std::uint32_t i = 0; i < kMaxTileRays; i += kRayStep) {
+    for (std::uint32_t i = 0; i < count; i += kRayStep) {
         const RayVec dir[3] = {hn::Load(d, tile.dir[0] + i), hn::Load(d, tile.dir[1] + i),
                                hn::Load(d, tile.dir[2] + i)};
         const RayVec length = hn::Sqrt(dot(d, dir, dir));

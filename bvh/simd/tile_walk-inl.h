@@ -224,7 +224,7 @@ HWY_INLINE bool walk_tile(const BoxTreeView& tree, Tile& tile) {
         if (rays == 0) continue;
         if (current.child >= kFirstLeaf || hwy::PopCount(rays) <= kFewRays) {
             if (hwy::PopCount(rays) > kFewRays && is_bounded(current.child)) {
-                if (!has_units) prepare_units(tile);
+                if (!has_units) prepare_units(tile, count);
                 has_units = true;
                 meet_bounded_leaf(tree, current.child, rays, tile);
             } else {

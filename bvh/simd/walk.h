@@ -63,6 +63,9 @@ struct Walk {
 /// The most rays that walk together: a bit of 64 each.
 inline constexpr std::uint32_t kMaxTileRays = 64;
 
+/// Rays are laid out in whole steps of so many, the most that a vector holds.
+inline constexpr std::uint32_t kTileStep = 16;
+
 /// Rays that walk one tree together, because they run close to each other. Shape: [axis][ray]; what
 /// stands for no ray is a copy of one that is, with reach kNoReach.
 struct alignas(64) Tile {

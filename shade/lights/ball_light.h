@@ -18,6 +18,14 @@ struct BallLight {
                         bool is_visible);
     static BallLight of(const scene::SpotLight& spot, Color color, double intensity);
 
+    /// True if surely no light of it falls on a surface: it is below, with a little to spare for
+    /// the rounding of directions.
+    bool is_below(const DVec3& point, const Vec3& normal) const {
+        const DVec3 way = position - point;
+        const double size = std::fabs(way.x) + std::fabs(way.y) + std::fabs(way.z);
+        return dot(way, DVec3{normal}) < -(radius + size * 0x1p-20);
+    }
+
     /// Errors: empty outside of a spot's cone, and in the very middle of the light.
     std::optional<LightSample> sample(const DVec3& point, const DVec2& u) const {
         const DVec3 to_middle = position - point;

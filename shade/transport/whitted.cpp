@@ -43,12 +43,13 @@ class DirectLight {
     void add_sample(const Source& source, std::size_t i, std::uint32_t light, std::uint32_t part,
                     std::uint32_t sample_count) {
         const auto& [ray, point, distance] = wave_[i];
+        const DVec3 position{point.surface.position};
+        if (is_below(source, position, point.facing())) return;
         const LightTable& lights = context_.lit.lights;
         const DVec2 u =
             lights.has_extent(light)
                 ? context_.sample_of(ray).pair(ray.decision(kLightPoint, light), part, sample_count)
                 : DVec2{0.0};
-        const DVec3 position{point.surface.position};
         const std::optional<LightSample> sample = sample_light(source, position, point.normal, u);
         if (!sample || !point.is_before(sample->wi)) return;
         const Vec3 wi = point.local(sample->wi);

@@ -12,7 +12,8 @@ inline constexpr std::uint32_t kBoxWidth = 8;
 /// No path from the root has more nodes.
 inline constexpr std::uint32_t kMaxBoxDepth = 64;
 
-/// What a child is. Nodes: where one lies. Leaves: `count` blocks or instances from `first` on.
+/// What a child is. Nodes: where one lies. Leaves: `count` blocks, framed primitives or instances
+/// from `first` on.
 enum class BoxChildKind : std::uint32_t { node, triangles, spheres, framed, instances };
 
 inline constexpr unsigned kBoxKindShift = 29;
@@ -57,20 +58,18 @@ struct alignas(32) SphereBlock {
 };
 static_assert(sizeof(SphereBlock) == 160);
 
-/// Primitives of the kinds with an affine frame, by lane, as in TriangleBlock, but that the other
-/// lanes repeat the first: each is inside of a cylinder around +Y of its object space, from y =
-/// bottom to y = top. Shape:
-/// object_from_world[column][row][lane].
-struct alignas(32) FramedBlock {
-    float origin[3][kBoxWidth];
-    float object_from_world[3][3][kBoxWidth];
-    float stretch[kBoxWidth];  // the sum of the sizes of the numbers of the map
-    float radius[kBoxWidth];
-    float bottom[kBoxWidth];
-    float top[kBoxWidth];
-    std::uint32_t ids[kBoxWidth];
+/// A primitive of a kind with an affine frame, and what it is inside of: a cylinder of radius 1
+/// around +Y of a space of its own, from y = bottom to y = top. Shape:
+/// bound_from_world[column][row]. One line of the cache.
+struct alignas(64) RoundBound {
+    float origin[3];
+    float bound_from_world[3][3];
+    float bottom;
+    float top;
+    float stretch;  // the sum of the sizes of the numbers of the map
+    std::uint32_t id;
 };
-static_assert(sizeof(FramedBlock) == 544);
+static_assert(sizeof(RoundBound) == 64);
 
 /// A tree as it is traced. The root is a child of no node; planes are not in the tree.
 struct BoxTreeView {
@@ -79,7 +78,7 @@ struct BoxTreeView {
     const BoxNode* nodes = nullptr;
     const TriangleBlock* triangles = nullptr;
     const SphereBlock* spheres = nullptr;
-    const FramedBlock* framed = nullptr;
+    const RoundBound* framed = nullptr;
     const std::uint32_t* instances = nullptr;  // values of PrimitiveId
 };
 

@@ -23,12 +23,12 @@ enum class RefClass : std::uint8_t {
 inline constexpr unsigned kRefClassCount = 4;
 
 inline constexpr bool has_blocks(RefClass ref_class) {
-    return ref_class != RefClass::instance;
+    return ref_class <= RefClass::sphere;
 }
 
-/// What a test costs, in eighths of that of a block of triangles: what a block leaves of the framed
-/// ones is met one by one and in double, and an instance has a tree of its own.
-inline constexpr std::uint32_t kRefWeights[kRefClassCount] = {1, 1, 4, 80};
+/// What a test costs, in eighths of that of a block of triangles: framed ones are met one by one,
+/// in double what their bounds leave of them, and an instance has a tree of its own.
+inline constexpr std::uint32_t kRefWeights[kRefClassCount] = {1, 1, 9, 80};
 
 /// A box with the primitive in it. No coordinate is -0, so that the least of several is the same
 /// in any order.

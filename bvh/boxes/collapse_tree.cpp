@@ -32,7 +32,8 @@ BoxChildKind leaf_kind(RefClass ref_class) {
 }
 
 std::uint32_t leaf_size(BoxChildKind kind, std::uint32_t ref_count) {
-    return kind == BoxChildKind::instances ? ref_count : (ref_count + kBoxWidth - 1) / kBoxWidth;
+    const bool is_in_blocks = kind == BoxChildKind::triangles || kind == BoxChildKind::spheres;
+    return is_in_blocks ? (ref_count + kBoxWidth - 1) / kBoxWidth : ref_count;
 }
 
 BoxNode empty_node() {

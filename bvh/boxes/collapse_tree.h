@@ -16,7 +16,7 @@ struct BoxTreeCounts {
     std::uint32_t nodes = 0;
     std::uint32_t triangle_blocks = 0;
     std::uint32_t sphere_blocks = 0;
-    std::uint32_t framed_blocks = 0;
+    std::uint32_t framed = 0;
     std::uint32_t instances = 0;
 
     /// Of what leaves of that kind index.
@@ -24,14 +24,14 @@ struct BoxTreeCounts {
         return kind == BoxChildKind::node        ? nodes
                : kind == BoxChildKind::triangles ? triangle_blocks
                : kind == BoxChildKind::spheres   ? sphere_blocks
-               : kind == BoxChildKind::framed    ? framed_blocks
+               : kind == BoxChildKind::framed    ? framed
                                                  : instances;
     }
     BoxTreeCounts& operator+=(const BoxTreeCounts& other) {
         nodes += other.nodes;
         triangle_blocks += other.triangle_blocks;
         sphere_blocks += other.sphere_blocks;
-        framed_blocks += other.framed_blocks;
+        framed += other.framed;
         instances += other.instances;
         return *this;
     }

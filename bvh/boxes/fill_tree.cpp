@@ -30,7 +30,7 @@ struct Layout {
         : triangles(round_up_to_lines(counts.nodes * sizeof(BoxNode))),
           spheres(round_up_to_lines(triangles + counts.triangle_blocks * sizeof(TriangleBlock))),
           framed(round_up_to_lines(spheres + counts.sphere_blocks * sizeof(SphereBlock))),
-          instances(round_up_to_lines(framed + counts.framed_blocks * sizeof(FramedBlock))),
+          instances(round_up_to_lines(framed + counts.framed * sizeof(RoundBound))),
           size(instances + counts.instances * sizeof(std::uint32_t)) {}
 };
 
@@ -39,7 +39,7 @@ struct Arrays {
     BoxNode* nodes = nullptr;
     TriangleBlock* triangles = nullptr;
     SphereBlock* spheres = nullptr;
-    FramedBlock* framed = nullptr;
+    RoundBound* framed = nullptr;
     std::uint32_t* instances = nullptr;
 };
 
@@ -51,7 +51,7 @@ Arrays arrays_in(const Arena& arena, const BoxTreeCounts& counts) {
     arrays.nodes = reinterpret_cast<BoxNode*>(data);
     arrays.triangles = reinterpret_cast<TriangleBlock*>(data + layout.triangles);
     arrays.spheres = reinterpret_cast<SphereBlock*>(data + layout.spheres);
-    arrays.framed = reinterpret_cast<FramedBlock*>(data + layout.framed);
+    arrays.framed = reinterpret_cast<RoundBound*>(data + layout.framed);
     arrays.instances = reinterpret_cast<std::uint32_t*>(data + layout.instances);
     return arrays;
 }
@@ -118,28 +118,25 @@ Bound bound_of(const scene::Geometry& geometry, scene::PrimitiveId id) {
     LRAY_ASSERT(false);
 }
 
-void fill_block(FramedBlock& block, const scene::Geometry& geometry,
-                std::span<const BuildRef> refs) {
-    std::ranges::fill(block.ids, kNoLane);
-    for (std::size_t lane = 0; lane < kBoxWidth; ++lane) {
-        const BuildRef& ref = refs[lane < refs.size() ? lane : 0];
-        const Bound bound = bound_of(geometry, scene::PrimitiveId::of_value(ref.id));
-        double stretch = 0.0;
-        for (int column = 0; column < 3; ++column) {
-            const auto at = static_cast<std::size_t>(column);
-            block.origin[at][lane] = bound.frame.origin[column];
-            for (int row = 0; row < 3; ++row) {
-                const float number = bound.frame.object_from_world[column][row];
-                block.object_from_world[at][static_cast<std::size_t>(row)][lane] = number;
-                stretch += std::fabs(static_cast<double>(number));
-            }
+RoundBound round_bound(const scene::Geometry& geometry, std::uint32_t id) {
+    const Bound bound = bound_of(geometry, scene::PrimitiveId::of_value(id));
+    RoundBound result;
+    double stretch = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        const auto at = static_cast<std::size_t>(column);
+        result.origin[at] = bound.frame.origin[column];
+        for (int row = 0; row < 3; ++row) {
+            const double number = static_cast<double>(bound.frame.object_from_world[column][row]) /
+                                  (row == 1 ? 1.0 : bound.radius);
+            result.bound_from_world[at][static_cast<std::size_t>(row)] = static_cast<float>(number);
+            stretch += std::fabs(number);
         }
-        block.stretch[lane] = static_cast<float>(stretch);
-        block.radius[lane] = static_cast<float>(bound.radius);
-        block.bottom[lane] = static_cast<float>(bound.bottom);
-        block.top[lane] = static_cast<float>(bound.top);
-        if (lane < refs.size()) block.ids[lane] = ref.id;
     }
+    result.bottom = static_cast<float>(bound.bottom);
+    result.top = static_cast<float>(bound.top);
+    result.stretch = static_cast<float>(stretch);
+    result.id = id;
+    return result;
 }
 
 template <class Block>
@@ -165,7 +162,8 @@ void fill_leaves(Arrays arrays, const scene::Geometry& geometry, std::span<const
                 arrays.spheres = fill_blocks(arrays.spheres, geometry, members);
                 break;
             case BoxChildKind::framed:
-                arrays.framed = fill_blocks(arrays.framed, geometry, members);
+                for (const BuildRef& ref : members)
+                    *arrays.framed++ = round_bound(geometry, ref.id);
                 break;
             case BoxChildKind::instances:
                 for (const BuildRef& ref : members) *arrays.instances++ = ref.id;
@@ -217,7 +215,7 @@ void write_part(const PlacedPart& placed, Arrays arrays, const scene::Geometry& 
     }
     arrays.triangles += before.triangle_blocks;
     arrays.spheres += before.sphere_blocks;
-    arrays.framed += before.framed_blocks;
+    arrays.framed += before.framed;
     arrays.instances += before.instances;
     fill_leaves(arrays, geometry, refs, part.leaves);
 }
@@ -231,7 +229,7 @@ BoxTree fill_tree(const scene::Geometry& geometry, std::span<const BuildRef> ref
     std::vector<PlacedPart> placed;
     const BoxChild root = place(whole, counts, placed);
     LRAY_ASSERT(counts.nodes < kMaxBoxNodes && counts.triangle_blocks <= kMaxLeafFirst &&
-                counts.sphere_blocks <= kMaxLeafFirst && counts.framed_blocks <= kMaxLeafFirst &&
+                counts.sphere_blocks <= kMaxLeafFirst && counts.framed <= kMaxLeafFirst &&
                 counts.instances <= kMaxLeafFirst);
     tree.arena = Arena(Layout(counts).size);
     const Arrays arrays = arrays_in(tree.arena, counts);

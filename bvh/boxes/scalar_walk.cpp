@@ -51,14 +51,6 @@ bool meet_spheres(const SphereBlock& block, Walk& walk) {
     return false;
 }
 
-bool meet_framed(const FramedBlock& block, Walk& walk) {
-    for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
-        ++walk.primitive_tests;
-        if (walk.calls->meet_framed(walk, block.ids[lane]) == Met::end) return true;
-    }
-    return false;
-}
-
 bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, Walk& walk) {
     const std::uint32_t first = leaf_first(leaf);
     const std::uint32_t count = leaf_count(leaf);
@@ -71,8 +63,11 @@ bool meet_leaf(const BoxTreeView& tree, BoxChild leaf, Walk& walk) {
             return std::any_of(tree.spheres + first, tree.spheres + first + count,
                                [&](const SphereBlock& block) { return meet_spheres(block, walk); });
         case BoxChildKind::framed:
+            walk.primitive_tests += count;
             return std::any_of(tree.framed + first, tree.framed + first + count,
-                               [&](const FramedBlock& block) { return meet_framed(block, walk); });
+                               [&](const RoundBound& bound) {
+                                   return walk.calls->meet_framed(walk, bound.id) == Met::end;
+                               });
         case BoxChildKind::instances:
             return walk.calls->meet_instances(walk, tree.instances + first, count) == Met::end;
         case BoxChildKind::node:

@@ -44,6 +44,12 @@ HWY_INLINE BlockRay make_block_ray(const double* origin, const double* dir) {
     return ray;
 }
 
+/// Returns the number in all lanes.
+template <class D>
+HWY_INLINE hn::Vec<D> spread(D d, const float* number) {
+    return hn::MaxLanes(d) == 1 ? hn::Load(d, number) : hn::Set(d, *number);
+}
+
 /// A ray as these tests see it. In `D` each lane has a ray, or all the same one.
 template <class D>
 struct BoundRay {
@@ -60,17 +66,6 @@ template <class D>
 struct BallBound {
     hn::Vec<D> center[3];
     hn::Vec<D> radius;
-};
-
-/// What FramedBlock tells of a primitive.
-template <class D>
-struct FramedBound {
-    hn::Vec<D> origin[3];
-    hn::Vec<D> object_from_world[3][3];
-    hn::Vec<D> stretch;
-    hn::Vec<D> radius;
-    hn::Vec<D> bottom;
-    hn::Vec<D> top;
 };
 
 template <class D, class V = hn::Vec<D>>
@@ -104,27 +99,29 @@ HWY_INLINE hn::Mask<D> misses(D d, const BallBound<D>& ball, const BoundRay<D>& 
                   hn::Or(hn::Gt(entry, ray.reach), hn::Lt(exit, ray.lo)));
 }
 
-/// Likewise, the cylinder around a framed primitive. In its object space, where the radius is about
-/// 1; rays that are very slow or fast there miss nothing.
+/// Likewise, the cylinder around a framed primitive; rays that are very slow or fast in its space
+/// miss nothing.
 template <class D>
-HWY_INLINE hn::Mask<D> misses(D d, const FramedBound<D>& bound, const BoundRay<D>& ray) {
+HWY_INLINE hn::Mask<D> misses(D d, const RoundBound& bound, const BoundRay<D>& ray) {
     using V = hn::Vec<D>;
     const V zero = hn::Zero(d);
     const V two = hn::Set(d, 2.0f);
-    const V way[3] = {hn::Sub(ray.origin[0], bound.origin[0]),
-                      hn::Sub(ray.origin[1], bound.origin[1]),
-                      hn::Sub(ray.origin[2], bound.origin[2])};
+    const V stretch = spread(d, &bound.stretch);
+    const V way[3] = {hn::Sub(ray.origin[0], spread(d, &bound.origin[0])),
+                      hn::Sub(ray.origin[1], spread(d, &bound.origin[1])),
+                      hn::Sub(ray.origin[2], spread(d, &bound.origin[2]))};
     V origin[3];
     V dir[3];
     for (std::size_t row = 0; row < 3; ++row) {
-        const V map[3] = {bound.object_from_world[0][row], bound.object_from_world[1][row],
-                          bound.object_from_world[2][row]};
+        const V map[3] = {spread(d, &bound.bound_from_world[0][row]),
+                          spread(d, &bound.bound_from_world[1][row]),
+                          spread(d, &bound.bound_from_world[2][row])};
         origin[row] = dot(d, map, way);
         dir[row] = dot(d, map, ray.dir);
     }
-    const V slack = hn::Mul(bound.stretch, hn::Set(d, kBoundSlack));
+    const V slack = hn::Mul(stretch, hn::Set(d, kBoundSlack));
     const V origin_error =
-        hn::Add(hn::Mul(size_of(d, way), slack), hn::Mul(ray.origin_error, bound.stretch));
+        hn::Add(hn::Mul(size_of(d, way), slack), hn::Mul(ray.origin_error, stretch));
     const V dir_error = hn::Mul(size_of(d, ray.dir), slack);
 
     // Seen along the axis: how far the ray passes it by. With what it may be off by, all times the
@@ -135,7 +132,7 @@ HWY_INLINE hn::Mask<D> misses(D d, const FramedBound<D>& bound, const BoundRay<D
     const V pass = hn::Sub(hn::Mul(origin[0], dir[2]), hn::Mul(origin[2], dir[0]));
     const V pass_off = hn::Mul(
         hn::Set(d, 6.0f), hn::Add(hn::Mul(origin_error, most_speed), hn::Mul(distance, dir_error)));
-    const V radius = hn::Mul(bound.radius, hn::Set(d, 1.0f + kBoundSlack));
+    const V radius = hn::Set(d, 1.0f + kBoundSlack);
     const V beyond =
         hn::Mul(pass_off, hn::Add(hn::Mul(two, hn::Mul(radius, most_speed)), pass_off));
     const auto is_usual =
@@ -168,69 +165,54 @@ HWY_INLINE hn::Mask<D> misses(D d, const FramedBound<D>& bound, const BoundRay<D
     const V y_entry = hn::Add(origin[1], hn::Mul(entry, dir[1]));
     const V y_exit = hn::Add(origin[1], hn::Mul(exit, dir[1]));
     const V y_off = hn::Mul(two, hn::Add(origin_error, hn::Mul(hn::Abs(exit), dir_error)));
-    const auto is_below = hn::Lt(hn::Add(hn::Max(y_entry, y_exit), y_off), bound.bottom);
-    const auto is_above = hn::Gt(hn::Sub(hn::Min(y_entry, y_exit), y_off), bound.top);
+    const auto is_below =
+        hn::Lt(hn::Add(hn::Max(y_entry, y_exit), y_off), spread(d, &bound.bottom));
+    const auto is_above = hn::Gt(hn::Sub(hn::Min(y_entry, y_exit), y_off), spread(d, &bound.top));
     return hn::And(is_usual, hn::Or(hn::Or(hn::Lt(depth_squared, zero), hn::Gt(entry, exit)),
                                     hn::Or(is_below, is_above)));
 }
 
 /// The same ray for all lanes.
-HWY_INLINE BoundRay<Floats> bound_ray_of(Walk& walk) {
-    const Floats d;
+template <class D>
+HWY_INLINE BoundRay<D> bound_ray_of(D d, Walk& walk) {
     if (!walk.has_block_ray) {
         walk.block_ray = make_block_ray(walk.origin, walk.dir);
         walk.has_block_ray = true;
     }
     const BlockRay& ray = walk.block_ray;
-    BoundRay<Floats> result;
+    BoundRay<D> result;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        result.origin[axis] = hn::Set(d, walk.ray->origin_float[axis]);
-        result.dir[axis] = hn::Set(d, walk.ray->dir_float[axis]);
-        result.unit_dir[axis] = hn::Set(d, ray.unit_dir[axis]);
+        result.origin[axis] = spread(d, &walk.ray->origin_float[axis]);
+        result.dir[axis] = spread(d, &walk.ray->dir_float[axis]);
+        result.unit_dir[axis] = spread(d, &ray.unit_dir[axis]);
     }
-    result.t_per_length = hn::Set(d, ray.t_per_length);
-    result.origin_error = hn::Set(d, ray.origin_error);
-    result.lo = hn::Set(d, walk.lo);
-    result.reach = hn::Set(d, walk.reach);
+    result.t_per_length = spread(d, &ray.t_per_length);
+    result.origin_error = spread(d, &ray.origin_error);
+    result.lo = spread(d, &walk.lo);
+    result.reach = spread(d, &walk.reach);
     return result;
 }
 
-/// Of the lanes from i on.
-HWY_INLINE BallBound<Floats> bound_of(const SphereBlock& block, std::uint32_t i) {
+/// Returns which spheres of a block the ray may meet between `lo` and `reach`, a bit each.
+HWY_INLINE std::uint32_t meet_spheres(const SphereBlock& block, Walk& walk) {
     const Floats d;
-    return {{hn::Load(d, block.center[0] + i), hn::Load(d, block.center[1] + i),
-             hn::Load(d, block.center[2] + i)},
-            hn::Load(d, block.radius + i)};
-}
-
-HWY_INLINE FramedBound<Floats> bound_of(const FramedBlock& block, std::uint32_t i) {
-    const Floats d;
-    FramedBound<Floats> result;
-    for (std::size_t column = 0; column < 3; ++column) {
-        result.origin[column] = hn::Load(d, block.origin[column] + i);
-        for (std::size_t row = 0; row < 3; ++row) {
-            result.object_from_world[column][row] =
-                hn::Load(d, block.object_from_world[column][row] + i);
-        }
-    }
-    result.stretch = hn::Load(d, block.stretch + i);
-    result.radius = hn::Load(d, block.radius + i);
-    result.bottom = hn::Load(d, block.bottom + i);
-    result.top = hn::Load(d, block.top + i);
-    return result;
-}
-
-/// Returns which primitives of a block the ray may meet between `lo` and `reach`, a bit each.
-template <class Block>
-HWY_INLINE std::uint32_t meet_bounds(const Block& block, Walk& walk) {
-    const BoundRay<Floats> ray = bound_ray_of(walk);
+    const BoundRay<Floats> ray = bound_ray_of(d, walk);
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < kBoxWidth; i += kStep) {
-        const auto is_missed = misses(Floats(), bound_of(block, i), ray);
+        const BallBound<Floats> balls = {
+            {hn::Load(d, block.center[0] + i), hn::Load(d, block.center[1] + i),
+             hn::Load(d, block.center[2] + i)},
+            hn::Load(d, block.radius + i)};
         const std::uint32_t there = lanes_there(block.ids + i, walk);
-        bits |= (there & ~bits_of(Floats(), is_missed)) << i;
+        bits |= (there & ~bits_of(d, misses(d, balls, ray))) << i;
     }
     return bits;
+}
+
+/// True if the ray surely misses a framed primitive between `lo` and `reach`.
+HWY_INLINE bool misses_bound(const RoundBound& bound, Walk& walk) {
+    const hn::CappedTag<float, 1> d;
+    return hn::AllTrue(d, misses(d, bound, bound_ray_of(d, walk)));
 }
 
 }  // namespace lray::bvh::HWY_NAMESPACE

@@ -47,23 +47,23 @@ HWY_INLINE float meet_triangle_leaf(const TriangleBlock* block, const TriangleBl
     return bound;
 }
 
-HWY_INLINE Met meet_bounded(Walk& walk, const SphereBlock& block, std::uint32_t lane) {
-    return walk.calls->meet_sphere(walk, block, lane);
-}
-
-HWY_INLINE Met meet_bounded(Walk& walk, const FramedBlock& block, std::uint32_t lane) {
-    return walk.calls->meet_framed(walk, block.ids[lane]);
-}
-
-template <class Block>
-HWY_INLINE float meet_bounded_leaf(const Block* block, const Block* end, Walk& walk) {
+HWY_INLINE float meet_sphere_leaf(const SphereBlock* block, const SphereBlock* end, Walk& walk) {
     for (; block != end; ++block) {
-        std::uint32_t bits = meet_bounds(*block, walk);
+        std::uint32_t bits = meet_spheres(*block, walk);
         while (bits != 0) {
             const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
             bits &= bits - 1;
-            if (meet_bounded(walk, *block, lane) == Met::end) return kEnded;
+            if (walk.calls->meet_sphere(walk, *block, lane) == Met::end) return kEnded;
         }
+    }
+    return walk.reach;
+}
+
+HWY_INLINE float meet_framed_leaf(const RoundBound* bound, const RoundBound* end, Walk& walk) {
+    for (; bound != end; ++bound) {
+        ++walk.primitive_tests;
+        if (misses_bound(*bound, walk)) continue;
+        if (walk.calls->meet_framed(walk, bound->id) == Met::end) return kEnded;
     }
     return walk.reach;
 }
@@ -72,11 +72,11 @@ HWY_NOINLINE float meet_other_leaf(const BoxTreeView& tree, BoxChildKind kind, s
                                    std::uint32_t count, Walk& walk) {
     if (kind == BoxChildKind::spheres) {
         const SphereBlock* const block = tree.spheres + first;
-        return meet_bounded_leaf(block, block + count, walk);
+        return meet_sphere_leaf(block, block + count, walk);
     }
     if (kind == BoxChildKind::framed) {
-        const FramedBlock* const block = tree.framed + first;
-        return meet_bounded_leaf(block, block + count, walk);
+        const RoundBound* const bound = tree.framed + first;
+        return meet_framed_leaf(bound, bound + count, walk);
     }
     const Met met = walk.calls->meet_instances(walk, tree.instances + first, count);
     return met == Met::end ? kEnded : walk.reach;

@@ -63,29 +63,12 @@ HWY_INLINE BoundRay<RayFloats> bound_rays_of(const Tile& tile, std::uint32_t i) 
     return result;
 }
 
-/// The same primitive for all rays.
-HWY_INLINE BallBound<RayFloats> bound_for_rays(const SphereBlock& block, std::uint32_t lane) {
+/// The same sphere for all rays.
+HWY_INLINE BallBound<RayFloats> ball_of(const SphereBlock& block, std::uint32_t lane) {
     const RayFloats d;
     return {{hn::Set(d, block.center[0][lane]), hn::Set(d, block.center[1][lane]),
              hn::Set(d, block.center[2][lane])},
             hn::Set(d, block.radius[lane])};
-}
-
-HWY_INLINE FramedBound<RayFloats> bound_for_rays(const FramedBlock& block, std::uint32_t lane) {
-    const RayFloats d;
-    FramedBound<RayFloats> result;
-    for (std::size_t column = 0; column < 3; ++column) {
-        result.origin[column] = hn::Set(d, block.origin[column][lane]);
-        for (std::size_t row = 0; row < 3; ++row) {
-            result.object_from_world[column][row] =
-                hn::Set(d, block.object_from_world[column][row][lane]);
-        }
-    }
-    result.stretch = hn::Set(d, block.stretch[lane]);
-    result.radius = hn::Set(d, block.radius[lane]);
-    result.bottom = hn::Set(d, block.bottom[lane]);
-    result.top = hn::Set(d, block.top[lane]);
-    return result;
 }
 
 /// Of the rays returns those that may meet what is bounded.
@@ -107,36 +90,40 @@ HWY_INLINE bool is_bounded(BoxChild leaf) {
     return kind == BoxChildKind::spheres || kind == BoxChildKind::framed;
 }
 
-template <class Block>
-HWY_INLINE void meet_with_tile(const Block& block, std::uint64_t rays, Tile& tile) {
-    for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
-        rays &= tile.active;
-        tile.primitive_tests += hwy::PopCount(rays);
-        std::uint64_t met = rays_at(bound_for_rays(block, lane), tile, rays);
-        for (; met != 0; met &= met - 1) {
-            const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(met);
-            Walk& walk = started_walk(tile, ray);
-            if (meet_bounded(walk, block, lane) == Met::end) {
-                tile.active &= ~(std::uint64_t{1} << ray);
-                tile.reach[ray] = kNoReach;
-            } else {
-                tile.reach[ray] = walk.reach;
-            }
+/// Tests the bound of a primitive with the rays, and calls meet(walk) for those that may meet it.
+template <class Bound, class Meet>
+HWY_INLINE void meet_with_tile(const Bound& bound, std::uint64_t rays, Tile& tile, Meet meet) {
+    rays &= tile.active;
+    tile.primitive_tests += hwy::PopCount(rays);
+    for (std::uint64_t met = rays_at(bound, tile, rays); met != 0; met &= met - 1) {
+        const auto ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(met);
+        Walk& walk = started_walk(tile, ray);
+        if (meet(walk) == Met::end) {
+            tile.active &= ~(std::uint64_t{1} << ray);
+            tile.reach[ray] = kNoReach;
+        } else {
+            tile.reach[ray] = walk.reach;
         }
     }
 }
 
 HWY_NOINLINE void meet_bounded_leaf(const BoxTreeView& tree, BoxChild leaf, std::uint64_t rays,
                                     Tile& tile) {
-    const std::uint32_t count = (leaf >> kBoxCountShift & (kMaxLeafCount - 1)) + 1;
     const std::uint32_t first = leaf & kMaxLeafFirst;
-    const bool has_spheres =
-        static_cast<BoxChildKind>(leaf >> kBoxKindShift) == BoxChildKind::spheres;
-    for (std::uint32_t i = first; i < first + count; ++i) {
-        if (has_spheres) {
-            meet_with_tile(tree.spheres[i], rays, tile);
-        } else {
-            meet_with_tile(tree.framed[i], rays, tile);
+    const std::uint32_t end = first + (leaf >> kBoxCountShift & (kMaxLeafCount - 1)) + 1;
+    if (static_cast<BoxChildKind>(leaf >> kBoxKindShift) == BoxChildKind::framed) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            const RoundBound& bound = tree.framed[i];
+            meet_with_tile(bound, rays, tile,
+                           [&](Walk& walk) { return walk.calls->meet_framed(walk, bound.id); });
+        }
+        return;
+    }
+    for (std::uint32_t i = first; i < end; ++i) {
+        const SphereBlock& block = tree.spheres[i];
+        for (std::uint32_t lane = 0; lane < kBoxWidth && block.ids[lane] != kNoLane; ++lane) {
+            meet_with_tile(ball_of(block, lane), rays, tile,
+                           [&](Walk& walk) { return walk.calls->meet_sphere(walk, block, lane); });
         }
     }
 }

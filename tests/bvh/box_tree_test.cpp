@@ -138,23 +138,14 @@ class Checker {
 
     void visit_framed(BoxChild child, const Bounds* box) {
         for (std::uint32_t i = 0; i < leaf_count(child); ++i) {
-            const FramedBlock& block = tree_.view.framed[leaf_first(child) + i];
-            bool is_over = false;
-            EXPECT_NE(block.ids[0], kNoLane);
-            for (std::uint32_t lane = 0; lane < kBoxWidth; ++lane) {
-                if (block.ids[lane] == kNoLane) {
-                    is_over = true;
-                    continue;
-                }
-                EXPECT_FALSE(is_over);
-                const PrimitiveId id = PrimitiveId::of_value(block.ids[lane]);
-                EXPECT_NE(id.kind(), PrimitiveKind::triangle);
-                EXPECT_NE(id.kind(), PrimitiveKind::rectangle);
-                EXPECT_NE(id.kind(), PrimitiveKind::sphere);
-                EXPECT_NE(id.kind(), PrimitiveKind::plane);
-                EXPECT_NE(id.kind(), PrimitiveKind::instance);
-                hold(id, primitive_bounds(geometry_, id), box);
-            }
+            const PrimitiveId id =
+                PrimitiveId::of_value(tree_.view.framed[leaf_first(child) + i].id);
+            EXPECT_NE(id.kind(), PrimitiveKind::triangle);
+            EXPECT_NE(id.kind(), PrimitiveKind::rectangle);
+            EXPECT_NE(id.kind(), PrimitiveKind::sphere);
+            EXPECT_NE(id.kind(), PrimitiveKind::plane);
+            EXPECT_NE(id.kind(), PrimitiveKind::instance);
+            hold(id, primitive_bounds(geometry_, id), box);
         }
     }
 

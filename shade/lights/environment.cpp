@@ -163,8 +163,7 @@ std::optional<LightSample> Environment::sample(Vec3 normal, DVec2 u) const {
     return s;
 }
 
-float Environment::pdf(Vec3 normal, Vec3 wi) const {
-    if (!is_visible_) return 0.0f;
+float Environment::density(const Vec3& normal, const Vec3& wi) const {
     if (texture_id_.is_none()) return cosine_pdf(dot(normal, wi));
     if (!distribution_) return 0.0f;
     const SkyPoint at = sky_point(DVec3(wi));

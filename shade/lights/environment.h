@@ -25,7 +25,10 @@ class Environment {
 
     /// Space: `normal` is unit, on the side of the surface that is lit.
     std::optional<LightSample> sample(Vec3 normal, DVec2 u) const;
-    float pdf(Vec3 normal, Vec3 wi) const;
+    /// Returns the density with which sample() chooses wi.
+    float density(const Vec3& normal, const Vec3& wi) const;
+    /// Likewise, 0 if no ray meets the environment.
+    float pdf(Vec3 normal, Vec3 wi) const { return is_visible_ ? density(normal, wi) : 0.0f; }
 
  private:
     struct SkyPoint {

@@ -39,6 +39,11 @@ inline Color reflected(const MaterialPoint& material, const Vec3& wi, const Vec3
     return Color{0.0f};
 }
 
+/// True if some directions are reflected much more than others.
+inline bool has_highlight(const MaterialPoint& material) {
+    return material.model != scene::ReflectionModel::lambert && material.specular != Color{0.0f};
+}
+
 /// A direction chosen at random, and the density of choosing it.
 struct DirectionSample {
     Vec3 wi{};

@@ -184,5 +184,55 @@ TEST(DirectLight, ColourOfTheLightIsThatOfAWhiteWall) {
     EXPECT_NEAR(seen.b, 0.25 / std::numbers::pi, 1e-6);
 }
 
+/// The mean of 64 samples and how far one is from it.
+struct Spread {
+    double mean = 0.0;
+    double deviation = 0.0;
+};
+
+Spread spread(const LitScene& scene, DVec3 origin, DVec3 direction) {
+    constexpr std::uint32_t kSamples = 64;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+        const double seen = static_cast<double>(scene.seen(origin, direction, i).g);
+        sum += seen;
+        squares += seen * seen;
+    }
+    const double mean = sum / kSamples;
+    return {mean, std::sqrt(std::max(squares / kSamples - mean * mean, 0.0))};
+}
+
+TEST(DirectLight, PolishedMetalUnderASkyIsNotGrainy) {
+    for (const char* const material :
+         {"model: \"cook_torrance\", diffuse: 0, fresnel: 1, roughness: 0.1",
+          "model: \"ward\", diffuse: 0, specular: 1, roughness: 0.05",
+          "diffuse: 0, specular: 1, shininess: 2000"}) {
+        const LitScene scene(std::string("environment { color: 1, samples: 4 }\n"
+                                         "sphere { material { ") +
+                             material + " } }");
+        const Spread seen = spread(scene, {0.0, 0.5, 4.0}, {0.05, -0.125, -1.0});
+        EXPECT_GT(seen.mean, 0.0) << material;
+        // By the light alone one sample in some thousand would meet the lobe.
+        EXPECT_LT(seen.deviation, 1.5 * seen.mean) << material;
+    }
+}
+
+TEST(DirectLight, AfterAMirrorAQuarterOfTheRaysGoToALight) {
+    const std::string rest =
+        "area_light { center: [0, 3, 0], normal: [0, -1, 0], samples: 16, visible: false }\n"
+        "plane { material { model: \"lambert\" } }\n"
+        "rectangle { center: [0, 0, -4], size: [40, 40], normal: [0, 0, 1],\n"
+        "    material { model: \"lambert\", diffuse: 0, reflect: 1 } }";
+    LitScene scene(rest);
+    const Color straight = scene.seen({0.0, 1.0, 0.0}, {0.0, -1.0, -1.0});
+    EXPECT_GT(straight.g, 0.0f);
+    EXPECT_EQ(scene.counts().shadow.rays, 16u);
+    LitScene mirrored(rest);
+    const Color seen = mirrored.seen({0.0, 1.0, -2.0}, {0.0, -0.25, -1.0});
+    EXPECT_GT(seen.g, 0.0f);
+    EXPECT_EQ(mirrored.counts().shadow.rays, 4u);
+}
+
 }  // namespace
 }  // namespace lray::test

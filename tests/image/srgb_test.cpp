@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -47,6 +48,13 @@ TEST(SrgbEncode, CodeBordersRoundToNearest) {
         const double border = decode_by_formula((code + 0.5) / 255.0);
         EXPECT_EQ(srgb_encode_8(static_cast<float>(border * (1.0 - 1e-5))), code);
         EXPECT_EQ(srgb_encode_8(static_cast<float>(border * (1.0 + 1e-5))), code + 1);
+    }
+}
+
+TEST(SrgbEncode, CodesOfFloatsAreThoseOfTheFormula) {
+    for (std::uint32_t bits = 0x30000000u; bits < 0x3f810000u; bits += 0x4d1) {
+        const float x = std::bit_cast<float>(bits);
+        ASSERT_EQ(srgb_encode_8(x), static_cast<int>(srgb_encode(x) * 255.0f + 0.5f)) << x;
     }
 }
 

@@ -45,37 +45,41 @@ TEST(Guide, HasTenLessonsOfFifteenLinesAtMost) {
     }
 }
 
+class GuidePicture : public testing::TestWithParam<std::size_t> {};
+
 // Pixels, not bytes: a PNG may be packed differently by another zlib.
-TEST(Guide, PicturesAreThoseOfTheScenes) {
+TEST_P(GuidePicture, IsThatOfItsScene) {
+    const std::vector<Lesson> all = lessons();
+    ASSERT_LT(GetParam(), all.size());
+    const Lesson& lesson = all[GetParam()];
+    const auto result = test::run_process({LRAY_BINARY, "-ps", "16", "-i", "-", "-o", "-",
+                                           "--format", "png", "--size", "240x180", "--quiet"},
+                                          lesson.scene);
+    EXPECT_EQ(result.exit_code, 0) << lesson.title;
+    EXPECT_EQ(result.err, "") << lesson.title;
     const char* const bless = std::getenv("LRAY_BLESS");
-    const bool is_blessing = bless != nullptr && std::string_view(bless) == "guide";
-    for (const Lesson& lesson : lessons()) {
-        const auto result = test::run_process({LRAY_BINARY, "-ps", "16", "-i", "-", "-o", "-",
-                                               "--format", "png", "--size", "240x180", "--quiet"},
-                                              lesson.scene);
-        EXPECT_EQ(result.exit_code, 0) << lesson.title;
-        EXPECT_EQ(result.err, "") << lesson.title;
-        if (is_blessing) {
-            std::ofstream(kDocs + lesson.picture, std::ios::binary) << result.out;
-            continue;
-        }
-        std::string error;
-        const std::string shown = test::read_bytes(kDocs + lesson.picture);
-        const auto expected = image::read_image(std::as_bytes(std::span(shown)), {}, error);
-        const auto actual = image::read_image(std::as_bytes(std::span(result.out)), {}, error);
-        ASSERT_TRUE(expected && actual) << lesson.picture << ": " << error;
-        ASSERT_EQ(actual->width, expected->width) << lesson.picture;
-        ASSERT_EQ(actual->height, expected->height) << lesson.picture;
-        std::size_t different = 0;
-        for (std::uint32_t y = 0; y < actual->height; ++y) {
-            for (std::uint32_t x = 0; x < actual->width; ++x) {
-                if (!(actual->at(x, y) == expected->at(x, y))) ++different;
-            }
-        }
-        EXPECT_EQ(different, 0u) << lesson.picture
-                                 << " is another picture; if the scene is right: ./dev bless guide";
+    if (bless != nullptr && std::string_view(bless) == "guide") {
+        std::ofstream(kDocs + lesson.picture, std::ios::binary) << result.out;
+        return;
     }
+    std::string error;
+    const std::string shown = test::read_bytes(kDocs + lesson.picture);
+    const auto expected = image::read_image(std::as_bytes(std::span(shown)), {}, error);
+    const auto actual = image::read_image(std::as_bytes(std::span(result.out)), {}, error);
+    ASSERT_TRUE(expected && actual) << lesson.picture << ": " << error;
+    ASSERT_EQ(actual->width, expected->width) << lesson.picture;
+    ASSERT_EQ(actual->height, expected->height) << lesson.picture;
+    std::size_t different = 0;
+    for (std::uint32_t y = 0; y < actual->height; ++y) {
+        for (std::uint32_t x = 0; x < actual->width; ++x) {
+            if (!(actual->at(x, y) == expected->at(x, y))) ++different;
+        }
+    }
+    EXPECT_EQ(different, 0u) << lesson.picture
+                             << " is another picture; if the scene is right: ./dev bless guide";
 }
+
+INSTANTIATE_TEST_SUITE_P(Guide, GuidePicture, testing::Range(std::size_t{0}, std::size_t{10}));
 
 }  // namespace
 }  // namespace lray

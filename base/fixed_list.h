@@ -36,10 +36,6 @@ class FixedList {
     bool is_empty() const { return size_ == 0; }
     T& operator[](std::size_t i) { return data()[i]; }
     const T& operator[](std::size_t i) const { return data()[i]; }
-    T* begin() { return data(); }
-    T* end() { return data() + size_; }
-    const T* begin() const { return data(); }
-    const T* end() const { return data() + size_; }
     std::span<const T> all() const { return {data(), size_}; }
 
  private:

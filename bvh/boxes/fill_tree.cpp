@@ -3,11 +3,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "base/assert.h"
+#include "bvh/boxes/round_bound.h"
 
 namespace lray::bvh {
 
@@ -85,60 +84,6 @@ void fill_block(SphereBlock& block, const scene::Geometry& geometry,
     }
 }
 
-/// A cylinder around +Y of an object space.
-struct Bound {
-    const scene::AffineFrame& frame;
-    double radius = 1.0;
-    double bottom = -1.0;
-    double top = 1.0;
-};
-
-Bound bound_of(const scene::Geometry& geometry, scene::PrimitiveId id) {
-    switch (id.kind()) {
-        case scene::PrimitiveKind::ellipsoid:
-            return {geometry.ellipsoids[id.index()].frame};
-        case scene::PrimitiveKind::cylinder:
-            return {geometry.cylinders[id.index()].frame, 1.0, 0.0, 1.0};
-        case scene::PrimitiveKind::disk:
-            return {geometry.disks[id.index()].frame, 1.0, 0.0, 0.0};
-        case scene::PrimitiveKind::box:
-            return {geometry.boxes[id.index()].frame, std::numbers::sqrt2};
-        case scene::PrimitiveKind::torus: {
-            const scene::Torus& torus = geometry.tori[id.index()];
-            const double tube = static_cast<double>(torus.tube);
-            return {torus.frame, 1.0, -tube, tube};
-        }
-        case scene::PrimitiveKind::triangle:
-        case scene::PrimitiveKind::rectangle:
-        case scene::PrimitiveKind::sphere:
-        case scene::PrimitiveKind::plane:
-        case scene::PrimitiveKind::instance:
-            break;
-    }
-    LRAY_ASSERT(false);
-}
-
-RoundBound round_bound(const scene::Geometry& geometry, std::uint32_t id) {
-    const Bound bound = bound_of(geometry, scene::PrimitiveId::of_value(id));
-    RoundBound result;
-    double stretch = 0.0;
-    for (int column = 0; column < 3; ++column) {
-        const auto at = static_cast<std::size_t>(column);
-        result.origin[at] = bound.frame.origin[column];
-        for (int row = 0; row < 3; ++row) {
-            const double number = static_cast<double>(bound.frame.object_from_world[column][row]) /
-                                  (row == 1 ? 1.0 : bound.radius);
-            result.bound_from_world[at][static_cast<std::size_t>(row)] = static_cast<float>(number);
-            stretch += std::fabs(number);
-        }
-    }
-    result.bottom = static_cast<float>(bound.bottom);
-    result.top = static_cast<float>(bound.top);
-    result.stretch = static_cast<float>(stretch);
-    result.id = id;
-    return result;
-}
-
 template <class Block>
 Block* fill_blocks(Block* block, const scene::Geometry& geometry, std::span<const BuildRef> refs) {
     while (!refs.empty()) {
@@ -162,8 +107,9 @@ void fill_leaves(Arrays arrays, const scene::Geometry& geometry, std::span<const
                 arrays.spheres = fill_blocks(arrays.spheres, geometry, members);
                 break;
             case BoxChildKind::framed:
-                for (const BuildRef& ref : members)
-                    *arrays.framed++ = round_bound(geometry, ref.id);
+                for (const BuildRef& ref : members) {
+                    *arrays.framed++ = round_bound(geometry, scene::PrimitiveId::of_value(ref.id));
+                }
                 break;
             case BoxChildKind::instances:
                 for (const BuildRef& ref : members) *arrays.instances++ = ref.id;

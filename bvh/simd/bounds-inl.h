@@ -143,7 +143,7 @@ HWY_INLINE hn::Mask<D> misses(D d, const RoundBound& bound, const BoundRay<D>& r
                                  hn::Add(hn::Mul(hn::Mul(radius, radius), speed_squared), beyond)));
     if (hn::AllTrue(d, is_aside)) return is_aside;
 
-    // Where it does.
+    // Where it runs inside of the cylinder.
     const V speed = hn::Sqrt(speed_squared);
     const V t_per_length = hn::Div(hn::Set(d, 1.0f), speed);
     const V x = hn::Mul(dir[0], t_per_length);

@@ -22,14 +22,6 @@ inline std::optional<LightSample> sample_light(const BallLight& light, const DVe
                                                const Vec3& /*normal*/, const DVec2& u) {
     return light.sample(point, u);
 }
-/// True if surely none of its light falls on a surface that is lit on the side of `normal`.
-inline bool is_below(const BallLight& light, const DVec3& point, const Vec3& normal) {
-    return light.is_below(point, normal);
-}
-template <class Light>
-bool is_below(const Light& /*light*/, const DVec3& /*point*/, const Vec3& /*normal*/) {
-    return false;  // sampling it tells
-}
 inline std::optional<LightSample> sample_light(const SunLight& light, const DVec3& /*point*/,
                                                const Vec3& /*normal*/, const DVec2& u) {
     return light.sample(u);
@@ -41,6 +33,15 @@ inline std::optional<LightSample> sample_light(const AreaLight& light, const DVe
 inline std::optional<LightSample> sample_light(const Environment& light, const DVec3& /*point*/,
                                                const Vec3& normal, const DVec2& u) {
     return light.sample(normal, u);
+}
+
+/// True if surely none of its light falls on a surface that is lit on the side of `normal`.
+inline bool is_below(const BallLight& light, const DVec3& point, const Vec3& normal) {
+    return light.is_below(point, normal);
+}
+template <class Light>
+bool is_below(const Light& /*light*/, const DVec3& /*point*/, const Vec3& /*normal*/) {
+    return false;  // sampling it tells
 }
 
 /// Const calls are thread-safe. The world and the textures must outlive it.

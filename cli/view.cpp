@@ -103,16 +103,6 @@ bool expects_light(const Options& options) {
     return options.level != 1u && !options.shader;
 }
 
-std::uint64_t View::pixel_count() const {
-    const auto [width, height] = render_options.resolution;
-    return render_options.crop ? render_options.crop->pixel_count() : std::uint64_t{width} * height;
-}
-
-std::uint64_t View::ray_count() const {
-    const bool is_limited = render_options.limits.is_any();
-    return pixel_count() * (is_limited ? 1 : render_options.samples.count());
-}
-
 std::variant<View, Failure> choose_view(const scene::Scene& scene, const scene::World& world,
                                         const Options& options) {
     auto camera = scene.cameras.begin();

@@ -6,19 +6,13 @@
 
 #include "cli/exit_code.h"
 #include "cli/options.h"
-#include "render/render.h"
+#include "render/view.h"
 #include "scene/scene.h"
 #include "scene/world.h"
 
 namespace lray::cli {
 
-struct View {
-    scene::Camera camera{};
-    render::RenderOptions render_options{};
-
-    std::uint64_t pixel_count() const;  // of the crop, if there is one
-    std::uint64_t ray_count() const;    // from the camera; with limits, at least
-};
+using render::View;
 
 /// True if the picture shows light where the scene has it: no other shading is asked for.
 bool expects_light(const Options& options);

@@ -22,6 +22,8 @@ struct DisplaySettings {
     double exposure = 0.0;  // in stops: light times 2^exposure
     ToneMap tonemap = ToneMap::none;
     Gamma gamma = Gamma::srgb;
+
+    friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
 /// Returns 2^stops: exactly for whole numbers, else to a few units in the last place of a double;
@@ -35,6 +37,8 @@ class Display {
 
     /// True if shown() changes nothing.
     bool is_identity() const { return settings_.tonemap == ToneMap::none && factor_ == 1.0; }
+
+    Gamma gamma() const { return settings_.gamma; }
 
     /// Returns the light of the screen: linear, 1 is its white. Without a tone map there is more
     /// than white, which writing clamps.

@@ -3,9 +3,6 @@
 // blocks are kept and go on together, pass by pass.
 #include "render/render.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <mutex>
 #include <utility>
@@ -17,13 +14,12 @@
 #include "render/sample_tracer.h"
 #include "render/squares.h"
 #include "render/threads.h"
+#include "render/tiles.h"
 
 namespace lray::render {
 
 namespace {
 
-constexpr std::uint32_t kTileSize = 16;         // what a thread takes at a time
-constexpr std::uint32_t kBlockSize = 8;         // whose rays are traced together
 constexpr std::uint32_t kSamplesPerReport = 4;  // of a block, between two looks at progress
 constexpr double kPassSeconds = 0.05;           // what a pass takes if it holds several samples
 
@@ -75,16 +71,6 @@ void render_tile(Job& job, const PixelRect& tile) {
     take_work(job, work);
     const std::lock_guard lock(job.result_mutex);
     job.result.samples += counts;
-}
-
-template <class Work>
-void for_each_tile(std::uint64_t tile_count, const Work& work) {
-    tbb::parallel_for(
-        tbb::blocked_range<std::uint64_t>(0, tile_count),
-        [&](const tbb::blocked_range<std::uint64_t>& range) {
-            for (std::uint64_t tile = range.begin(); tile != range.end(); ++tile) work(tile);
-        },
-        tbb::simple_partitioner());
 }
 
 void render_tiles(Job& job) {

@@ -107,6 +107,19 @@ shade::RayCone SampleTracer::pixel_cone(std::uint32_t x, std::uint32_t y) const 
     return rays_.cone(DVec2{x, y} + DVec2{0.5});
 }
 
+void SampleTracer::add_ray(Batch& batch, std::uint32_t x, std::uint32_t y,
+                           std::uint32_t index) const {
+    const PixelSample& sample = batch.samples.add_made([&] { return pixel_sample(x, y, index); });
+    batch.rays.add_made([&] { return camera_ray(x, y, sample); });
+    batch.cones.add_made([&] { return pixel_cone(x, y); });
+}
+
+bool SampleTracer::finish(Batch& batch, RayCounts& counts, const std::atomic<bool>& cancel) const {
+    const bvh::TraceCounts cost = trace(batch, cancel);
+    counts.primary += cost;
+    return !cost.is_ended && shade(batch, counts.light, cancel);
+}
+
 std::uint64_t SampleTracer::add_samples(const PixelRect& part, std::span<const FilmPlace> places,
                                         SampleRange samples, Film& film, RayCounts& counts,
                                         const std::atomic<bool>& cancel) const {
@@ -122,27 +135,37 @@ std::uint64_t SampleTracer::add_samples(const PixelRect& part, std::span<const F
         batch.clear();
         while (batch.size() < size) {
             const FilmPlace place = batch.places.add(places[at]);
-            const std::uint32_t x = part.x0 + place.x;
-            const std::uint32_t y = part.y0 + place.y;
-            const PixelSample& sample =
-                batch.samples.add_made([&] { return pixel_sample(x, y, index); });
-            batch.rays.add_made([&] { return camera_ray(x, y, sample); });
-            batch.cones.add_made([&] { return pixel_cone(x, y); });
+            add_ray(batch, part.x0 + place.x, part.y0 + place.y, index);
             if (++at == places.size()) {
                 at = 0;
                 ++index;
             }
         }
-        const bvh::TraceCounts cost = trace(batch, cancel);
-        counts.primary += cost;
-        if (cost.is_ended) break;
-        if (!shade(batch, counts.light, cancel)) break;
+        if (!finish(batch, counts, cancel)) break;
         for (std::uint32_t i = 0; i < size; ++i) {
             film.add(batch.places[i].x, batch.places[i].y, batch.colors[i]);
         }
         done += size;
     }
     return done;
+}
+
+bool SampleTracer::colors_of(std::span<const FilmPlace> pixels, std::uint32_t index,
+                             std::span<Color> colors, RayCounts& counts,
+                             const std::atomic<bool>& cancel) const {
+    LRAY_DCHECK(pixels.size() == colors.size());
+    Batch batch;
+    while (!pixels.empty()) {
+        if (cancel.load(std::memory_order_relaxed)) return false;
+        const std::size_t size = std::min<std::size_t>(options_.batch_size, pixels.size());
+        batch.clear();
+        for (const FilmPlace pixel : pixels.first(size)) add_ray(batch, pixel.x, pixel.y, index);
+        if (!finish(batch, counts, cancel)) return false;
+        std::copy_n(batch.colors.begin(), size, colors.begin());
+        pixels = pixels.subspan(size);
+        colors = colors.subspan(size);
+    }
+    return true;
 }
 
 }  // namespace lray::render

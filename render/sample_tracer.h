@@ -39,13 +39,24 @@ class SampleTracer {
                               SampleRange samples, Film& film, RayCounts& counts,
                               const std::atomic<bool>& cancel) const;
 
+    /// Works out the colour of one sample of each of some pixels of the full picture, and adds its
+    /// cost to `counts`. Shape: of the same length. Errors: false once `cancel` is set: then the
+    /// colours mean nothing.
+    bool colors_of(std::span<const FilmPlace> pixels, std::uint32_t index, std::span<Color> colors,
+                   RayCounts& counts, const std::atomic<bool>& cancel) const;
+
  private:
     struct Batch;
+
+    /// Adds the ray of a sample of a pixel of the full picture.
+    void add_ray(Batch& batch, std::uint32_t x, std::uint32_t y, std::uint32_t index) const;
+
+    /// Works out the colours of a batch, and adds their cost; false once `cancel` is set.
+    bool finish(Batch& batch, RayCounts& counts, const std::atomic<bool>& cancel) const;
 
     /// Finds what the rays of a batch hit; returns what that cost.
     bvh::TraceCounts trace(Batch& batch, const std::atomic<bool>& cancel) const;
 
-    /// Works out the colours of a batch; false once `cancel` is set.
     bool shade(Batch& batch, shade::LightCounts& counts, const std::atomic<bool>& cancel) const;
     PixelSample pixel_sample(std::uint32_t x, std::uint32_t y, std::uint32_t index) const;
     Ray camera_ray(std::uint32_t x, std::uint32_t y, const PixelSample& sample) const;

@@ -1,0 +1,164 @@
+#include "render/progressive_job.h"
+
+#include <utility>
+
+#include "base/assert.h"
+#include "render/preview.h"
+#include "render/tiles.h"
+
+namespace lray::render {
+
+namespace {
+
+RenderOptions with_light(RenderOptions options, const PreparedScene& scene) {
+    options.lit = scene.lit.get();
+    return options;
+}
+
+PixelRect whole_of(const RenderOptions& options) {
+    return {0, 0, options.resolution.width, options.resolution.height};
+}
+
+std::uint64_t all_rays(const RayCounts& counts) {
+    return counts.primary.rays + counts.light.onward.rays + counts.light.shadow.rays;
+}
+
+}  // namespace
+
+/// What the threads of a step share.
+struct ProgressiveJob::Step {
+    /// A part of the picture that is kept back.
+    struct Result {
+        PixelRect part{};
+        std::vector<Color> light{};
+        std::uint32_t square = 1;
+    };
+
+    const StepControl& control;
+    LivePicture& picture;
+    std::mutex mutex{};
+    BlockWork work{};
+    bool is_stopped = false;
+    std::vector<Result> kept_back{};
+
+    bool should_stop() {
+        if (!control.should_stop()) return false;
+        const std::lock_guard lock(mutex);
+        is_stopped = true;
+        return true;
+    }
+
+    void take(const BlockWork& more) {
+        const std::lock_guard lock(mutex);
+        work += more;
+    }
+
+    void show(Result result) {
+        if (std::chrono::steady_clock::now() < control.show_from) {
+            const std::lock_guard lock(mutex);
+            kept_back.push_back(std::move(result));
+            return;
+        }
+        show_kept_back();
+        picture.put(result.part, result.light, result.square);
+    }
+
+    void show_kept_back() {
+        std::vector<Result> results;
+        {
+            const std::lock_guard lock(mutex);
+            results.swap(kept_back);
+        }
+        for (const Result& result : results) picture.put(result.part, result.light, result.square);
+    }
+};
+
+ProgressiveJob::ProgressiveJob(const PreparedScene& scene, const View& view,
+                               std::uint32_t first_square)
+    : view_(view),
+      whole_(whole_of(view.render_options)),
+      area_(view.render_options.crop.value_or(whole_)),
+      tracer_(scene.world, *scene.accel, view.camera, with_light(view.render_options, scene)),
+      square_(first_square),
+      // Around a crop there are no passes, which are of single pixels.
+      last_square_(view.render_options.crop ? 1 : 2) {
+    if (square_ < last_square_) square_ = 0;
+    tiles_.resize(Squares{area_, kTileSize}.count());
+}
+
+StepOutcome ProgressiveJob::run_step(LivePicture& picture, const StepControl& control) {
+    LRAY_ASSERT(!is_done_);
+    const auto begin = std::chrono::steady_clock::now();
+    Step step{control, picture};
+    if (is_pass_next()) {
+        run_pass(step);
+    } else {
+        run_squares(step);
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    const bool is_complete = !step.is_stopped && !step.work.is_cancelled;
+    if (!step.work.is_cancelled) step.show_kept_back();
+    if (is_pass_next()) {
+        pass_seconds_ += passed.count();
+        finished_pixels_ += step.work.finished_pixels;
+        const SampleLimits& limits = view_.render_options.limits;
+        if (is_complete) {
+            ++pass_count_;
+            is_done_ = pass_count_ == pass_limit() || finished_pixels_ == area_.pixel_count() ||
+                       (limits.seconds && pass_seconds_ >= *limits.seconds);
+        }
+    } else if (is_complete) {
+        square_ = square_ > last_square_ ? square_ / 2 : 0;
+    }
+    return {is_complete, step.work.samples, all_rays(step.work.rays), passed.count()};
+}
+
+void ProgressiveJob::run_squares(Step& step) const {
+    const Squares tiles{whole_, kTileSize * square_};
+    for_each_tile(tiles.count(), [&](std::uint64_t i) {
+        if (step.should_stop()) return;
+        const PixelRect part = tiles.at(i);
+        const std::vector<FilmPlace> pixels = middles_of_squares(part, square_);
+        Step::Result result{part, std::vector<Color>(pixels.size()), square_};
+        BlockWork work;
+        const std::uint32_t sample = view_.render_options.samples.begin;
+        work.is_cancelled =
+            !tracer_.colors_of(pixels, sample, result.light, work.rays, step.control.cancel);
+        if (!work.is_cancelled) {
+            work.samples = pixels.size();
+            step.show(std::move(result));
+        }
+        step.take(work);
+    });
+}
+
+void ProgressiveJob::run_pass(Step& step) {
+    const RenderOptions& options = view_.render_options;
+    const BlockSettings settings{tracer_, options.samples, options.limits.noise,
+                                 image::Display(options.display), step.control.cancel};
+    const Squares tiles{area_, kTileSize};
+    const std::uint32_t end = options.samples.begin + pass_count_ + 1;
+    for_each_tile(tiles.count(), [&](std::uint64_t i) {
+        if (step.should_stop()) return;
+        const PixelRect part = tiles.at(i);
+        Tile& tile = tiles_[i];
+        if (tile.empty()) {
+            const Squares blocks{part, kBlockSize};
+            for (std::uint64_t k = 0; k != blocks.count(); ++k) {
+                tile.emplace_back(blocks.at(k), settings);
+            }
+        }
+        BlockWork work;
+        image::Image light(part.width(), part.height());
+        for (Block& block : tile) {
+            work += block.advance(end, settings);
+            if (work.is_cancelled) break;
+            block.resolve(part, light);
+        }
+        const bool is_new = work.samples > 0 && !work.is_cancelled;
+        if (is_new) step.show({part, std::move(light.pixels), 1});
+        step.take(work);
+    });
+}
+
+}  // namespace lray::render

@@ -16,8 +16,12 @@ TEST(FirstSquare, MakesTheFirstStepQuickEnough) {
         const auto seconds_of = [&](double side) {
             return seconds_per_ray * static_cast<double>(kPixels) / (side * side);
         };
-        if (square < kLargestSquare) EXPECT_LE(seconds_of(square), kFirstStepSeconds);
-        if (square > 1) EXPECT_GT(seconds_of(square / 2.0), kFirstStepSeconds);
+        if (square < kLargestSquare) {
+            EXPECT_LE(seconds_of(square), kFirstStepSeconds);
+        }
+        if (square > 1) {
+            EXPECT_GT(seconds_of(square / 2.0), kFirstStepSeconds);
+        }
         EXPECT_EQ(square & (square - 1), 0u);
     }
 }

@@ -242,8 +242,10 @@ TEST(Session, ACropAloneIsAveraged) {
     for (std::size_t y = 0; y < 67; ++y) {
         for (std::size_t x = 0; x < 101; ++x) {
             if (x >= 13 && x < 60 && y >= 5 && y < 66) continue;
-            const std::size_t at = 4 * (y * 101 + x);
-            ASSERT_TRUE(std::equal(&around[at], &around[at + 4], &frame.bytes[at])) << x << " " << y;
+            const auto at = static_cast<std::ptrdiff_t>(4 * (y * 101 + x));
+            ASSERT_TRUE(std::equal(around.begin() + at, around.begin() + at + 4,
+                                   frame.bytes.begin() + at))
+                << x << ", " << y;
         }
     }
 }
@@ -313,14 +315,17 @@ TEST(Session, AFirstStepIsShownWhileChangesGoOn) {
     EXPECT_EQ(shown_count, 3);
 }
 
+// A ray may meet endlessly many instances: it ends when it is told to, and only then.
 TEST(Session, ARayWithoutEndIsLeftForTheNextView) {
-    // A ray may meet endlessly many instances: it ends when it is told to, and only then.
-    const auto endless = [](bvh::TraceCounts& counts) {
+    std::atomic<bool> is_met{false};
+    const auto endless = [&](bvh::TraceCounts& counts) {
+        is_met = true;
         while (!*counts.cancel) std::this_thread::sleep_for(1ms);
         counts.is_ended = true;
     };
     Session session;
     session.set_scene(pattern(0.5f, endless), usual_view());
+    EXPECT_TRUE(reaches(session, [&](const SessionStatus&) { return is_met.load(); }));
     EXPECT_TRUE(ends(session, session.set_scene(pattern(0.5f), usual_view())));
     EXPECT_EQ(session.light().pixels, rendered(*pattern(0.5f), usual_view()).pixels);
     session.set_scene(pattern(0.5f, endless), usual_view());  // and it ends with the session

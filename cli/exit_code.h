@@ -12,6 +12,7 @@ enum class ExitCode : std::uint8_t {
     usage = 2,   // a wrong command line
     limit = 3,   // a limit, or memory
     output = 4,  // the output could not be written
+    window = 5,  // no display or no OpenGL for the window
     internal = 70,
     interrupted = 130,
     terminated = 143,

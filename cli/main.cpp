@@ -13,6 +13,7 @@
 #include "cli/format_files.h"
 #include "cli/frames.h"
 #include "cli/interrupt.h"
+#include "cli/load_world.h"
 #include "cli/memory_limit.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -20,33 +21,20 @@
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "cli/view.h"
-#include "parser/load.h"
-#include "scene/flatten.h"
-#include "scene/lint.h"
+#include "cli/window.h"
 
 namespace lray::cli {
 
 namespace {
 
 ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
-    Sources sources;
-    Diagnostics diagnostics(options.warning_levels);
-    FileAccess files = file_access(options);
     StageTimes times;
     Stopwatch watch;
-
-    const auto [scene, usage_mistakes] =
-        parser::load(options.scene_path, load_settings(options), files, sources, diagnostics);
-    times.load = watch.lap();
+    const LoadedWorld loaded = load_world(options, watch, times);
+    const auto& [scene, usage_mistakes, params] = loaded.result;
+    const auto& world = loaded.world;
     if (!usage_mistakes.empty()) return report_usage_mistakes(usage_mistakes);
-    const auto world =
-        scene ? scene::flatten(*scene, options.flatten_limits, diagnostics) : std::nullopt;
-    if (world) {
-        scene::lint(*scene, *world, {options.size, expects_light(options)}, diagnostics);
-    }
-    times.flatten = watch.lap();
-    LRAY_ASSERT(world || diagnostics.has_errors());
-    if (const auto end = report.print(diagnostics, sources, options)) return *end;
+    if (const auto end = report.print(loaded.diagnostics, loaded.sources, options)) return *end;
 
     const auto chosen = choose_view(*scene, *world, options);
     if (const auto* failure = std::get_if<Failure>(&chosen)) return report_failure(*failure);
@@ -56,7 +44,7 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     catch_interrupts();
     if (const auto interrupted = interrupt_exit_code()) return *interrupted;  // between frames
     auto opened =
-        open_output(options, files.files_read());  // before the work: a wrong name is told at once
+        open_output(options, loaded.files.files_read());  // before the work: a wrong name is told at once
     if (const auto* failure = std::get_if<Failure>(&opened)) return report_failure(*failure);
 
     watch.lap();
@@ -95,6 +83,8 @@ ExitCode run(std::span<const char* const> arguments) {
         case Mode::render:
         case Mode::check:
             return check_or_render_frames(options);
+        case Mode::window:
+            return show_window(options);
         case Mode::dump:
             return dump_scene(options);
         case Mode::deps:
@@ -111,18 +101,14 @@ ExitCode run(std::span<const char* const> arguments) {
     LRAY_ASSERT(false);
 }
 
-constexpr const char* kOutOfMemory = "there is not enough memory";
-constexpr const char* kLessMemory =
-    "a smaller scene or a smaller `--size` needs less; `--max-memory N` lets it take more";
-
 /// Nothing thrown leaves the program.
 ExitCode run_safely(std::span<const char* const> arguments) {
     try {
         return run(arguments);
     } catch (const std::bad_alloc&) {
-        return report_failure({ExitCode::limit, kOutOfMemory, kLessMemory});
+        return report_failure(out_of_memory());
     } catch (const std::length_error&) {
-        return report_failure({ExitCode::limit, kOutOfMemory, kLessMemory});
+        return report_failure(out_of_memory());
     } catch (const std::exception& error) {
         return report_failure({ExitCode::internal, "internal error", error.what()});
     }

@@ -85,4 +85,9 @@ void limit_memory(std::uint64_t bytes) {
     setrlimit(RLIMIT_DATA, &limit);  // where that is not possible, there is no limit
 }
 
+Failure out_of_memory() {
+    return {ExitCode::limit, "there is not enough memory",
+            "a smaller scene or a smaller `--size` needs less; `--max-memory N` lets it take more"};
+}
+
 }  // namespace lray::cli

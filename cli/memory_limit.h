@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "cli/exit_code.h"
+
 namespace lray::cli {
 
 /// Returns what was asked for; otherwise 75 % of the machine's memory, or of the control group's
@@ -17,5 +19,8 @@ extern const bool kCanLimitMemory;
 /// Makes allocations beyond `bytes` fail (std::bad_alloc), if that can be done; 0 leaves them as
 /// they are.
 void limit_memory(std::uint64_t bytes);
+
+/// What is said when an allocation has failed.
+Failure out_of_memory();
 
 }  // namespace lray::cli

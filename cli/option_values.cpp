@@ -92,12 +92,9 @@ std::string wrong_number(std::string_view text, std::uint64_t low, std::uint64_t
 }
 
 std::string store_level(Options& options, std::string_view text) {
-    if (text == "1" || text == "2") {
-        options.level = text == "1" ? 1 : 2;
+    if (text == "1" || text == "2" || text == "3") {
+        options.level = static_cast<std::uint32_t>(text[0] - '0');
         return {};
-    }
-    if (text == "3") {
-        return "3 is not available in this version; `-n 1` and `-n 2` are, which write a picture";
     }
     return fmt::format("takes a level, 1, 2 or 3, not `{}`", text);
 }

@@ -176,17 +176,26 @@ std::string suggested_output(std::string_view scene_path) {
     return fmt::format("{}.ppm", scene_path == "-" ? "image" : scene_path);
 }
 
+/// A level that writes a picture has to be told where.
 std::optional<Failure> check_output(const Options& options) {
     if (!options.output_path.empty()) return std::nullopt;
-    const std::string level = options.level ? fmt::format(" -n {}", *options.level) : "";
-    const std::string fix = fmt::format("lray{} -i {} -o {}", level, quoted(options.scene_path),
-                                        quoted(suggested_output(options.scene_path)));
-    if (options.level) {
-        return usage_error(
-            fmt::format("level {} writes a picture; say where with `-o`", *options.level), fix);
+    const std::string fix =
+        fmt::format("lray -n {} -i {} -o {}", *options.level, quoted(options.scene_path),
+                    quoted(suggested_output(options.scene_path)));
+    return usage_error(
+        fmt::format("level {} writes a picture; say where with `-o`", *options.level), fix);
+}
+
+/// A window shows one frame, and saves pictures to files.
+std::optional<Failure> check_window(const Options& options) {
+    if (options.frames && options.frames->count() > 1) {
+        return usage_error("a window shows one frame", "choose it with `--frame N`");
     }
-    return usage_error("the window is not available in this version; write a picture with `-o`",
-                       fix);
+    if (options.output_path == "-") {
+        return usage_error("a window cannot save to stdout",
+                           "name a file, or leave `-o` out: pictures get numbers then");
+    }
+    return std::nullopt;
 }
 
 std::optional<Failure> check_formatting(const Options& options) {
@@ -223,6 +232,10 @@ std::optional<Failure> choose_format(Options& options) {
     if (options.format) return std::nullopt;
     if (options.output_path == "-") {
         options.format = image::Format::ppm;
+        return std::nullopt;
+    }
+    if (options.output_path.empty()) {  // of a window
+        options.format = image::Format::png;
         return std::nullopt;
     }
     const std::string_view extension = image::extension(options.output_path);
@@ -300,6 +313,7 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
         case Mode::dump:
         case Mode::format:
         case Mode::render:
+        case Mode::window:
             break;
     }
     const bool is_text = options.diagnostics_format == DiagnosticsFormat::text;
@@ -322,7 +336,12 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
         if (options.output_path.empty()) options.output_path = "-";
     }
     if (options.mode != Mode::render) return options;
-    if (auto failure = check_output(options)) return *failure;
+    const bool is_level_of_window = options.level.value_or(3) == 3;
+    if (is_level_of_window && (options.level || options.output_path.empty())) {
+        options.mode = Mode::window;
+    }
+    const auto check_target = options.mode == Mode::window ? check_window : check_output;
+    if (auto failure = check_target(options)) return *failure;
     if (auto failure = check_numbering(options)) return *failure;
     if (auto failure = choose_format(options)) return *failure;
     if (auto failure = check_samples(options)) return *failure;
@@ -335,7 +354,8 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
 std::string help_text() {
     std::string text = fmt::format(
         "lray {}: renders scenes written in the .lrs language\n\n"
-        "usage: {}\n"
+        "usage: lray scene.lrs\n"
+        "       {}\n"
         "       lray -n 2 -ps 16 -i scene.lrs -o image.ppm\n"
         "       lray scene.lrs -o image.png\n"
         "       lray --check scene.lrs\n"

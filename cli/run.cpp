@@ -58,18 +58,6 @@ Failure output_failure(std::string reason) {
     return {ExitCode::output, std::move(reason), {}};
 }
 
-/// Empty when the picture is in its file.
-std::optional<Failure> write_picture(OutputFile output, const image::Image& image, const View& view,
-                                     image::Metadata metadata, const Options& options) {
-    std::string error;
-    const image::Gamma gamma = view.render_options.display.gamma;
-    if (!write_image(output, image, *options.format, gamma, metadata, error)) {
-        return output_failure(error);
-    }
-    if (!output.commit()) return output_failure(output.error());
-    return std::nullopt;
-}
-
 ExitCode save_partial_picture(const render::RenderResult& result, const View& view,
                               image::Metadata metadata, const Options& options,
                               ExitCode exit_code) {
@@ -82,7 +70,8 @@ ExitCode save_partial_picture(const render::RenderResult& result, const View& vi
     std::string error;
     auto output = OutputFile::open(path, error);
     std::optional<Failure> failure =
-        output ? write_picture(std::move(*output), result.image, view, metadata, options)
+        output ? write_picture(std::move(*output), result.image,
+                               view.render_options.display.gamma, metadata, options)
                : output_failure(error);
     if (failure) {
         report_failure(*failure);
@@ -199,10 +188,25 @@ render::RenderResult render_view(const View& view, const scene::World& world,
     render::RenderResult result =
         render::render(world, accel, view.camera, render_options, on_progress, stop_requested());
     print_message(progress.finish());
-    if (options.format != image::Format::pfm) {  // which holds the light itself
-        result.image = image::displayed(std::move(result.image), view.render_options.display);
-    }
+    result.image = for_file(std::move(result.image), view.render_options.display, options);
     return result;
+}
+
+image::Image for_file(image::Image light, const image::DisplaySettings& display,
+                      const Options& options) {
+    if (options.format == image::Format::pfm) return light;  // which holds the light itself
+    return image::displayed(std::move(light), display);
+}
+
+std::optional<Failure> write_picture(OutputFile output, const image::Image& picture,
+                                     image::Gamma gamma, image::Metadata metadata,
+                                     const Options& options) {
+    std::string error;
+    if (!write_image(output, picture, *options.format, gamma, metadata, error)) {
+        return output_failure(error);
+    }
+    if (!output.commit()) return output_failure(output.error());
+    return std::nullopt;
 }
 
 ExitCode save_picture(OutputFile output, const render::RenderResult& result, const View& view,
@@ -212,7 +216,8 @@ ExitCode save_picture(OutputFile output, const render::RenderResult& result, con
         LRAY_ASSERT(exit_code);
         return save_partial_picture(result, view, metadata, options, *exit_code);
     }
-    const auto failure = write_picture(std::move(output), result.image, view, metadata, options);
+    const auto failure = write_picture(std::move(output), result.image,
+                                       view.render_options.display.gamma, metadata, options);
     return failure ? report_failure(*failure) : ExitCode::done;
 }
 

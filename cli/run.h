@@ -52,6 +52,15 @@ render::RenderResult render_view(const View& view, const scene::World& world,
                                  const bvh::Accel& accel, const shade::LitWorld* lit,
                                  const Options& options, Progress& progress);
 
+/// Returns the pixels that the format of the options holds of light.
+image::Image for_file(image::Image light, const image::DisplaySettings& display,
+                      const Options& options);
+
+/// Writes a picture as for_file() returned it. Empty when it is in its file.
+std::optional<Failure> write_picture(OutputFile output, const image::Image& picture,
+                                     image::Gamma gamma, image::Metadata metadata,
+                                     const Options& options);
+
 /// Writes the picture, or what there is of it beside the output if it was interrupted, and says
 /// so.
 ExitCode save_picture(OutputFile output, const render::RenderResult& result, const View& view,
@@ -59,4 +68,5 @@ ExitCode save_picture(OutputFile output, const render::RenderResult& result, con
 
 /// "a/image.png" -> "a/image.partial.png".
 std::string partial_path(std::string_view output_path);
+
 }  // namespace lray::cli

@@ -220,6 +220,11 @@ std::string format_stats_json(const RenderReport& report) {
     return json.take() + "\n";
 }
 
+std::string hierarchy_name(bvh::AccelKind kind, const bvh::AccelStats& stats) {
+    const std::string name(kind == bvh::AccelKind::none ? "no hierarchy" : accel_name(kind));
+    return stats.nodes == 0 ? name : fmt::format("{}, {} nodes", name, stats.nodes);
+}
+
 void print_stats(const RenderReport& report) {
     switch (report.options.stats) {
         case StatsFormat::none:

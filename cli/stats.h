@@ -47,6 +47,9 @@ std::string format_stats(const RenderReport& report);
 /// Returns the same for machines: one line of JSON.
 std::string format_stats_json(const RenderReport& report);
 
+/// Returns a hierarchy in a few words: "boxes, 1234 nodes".
+std::string hierarchy_name(bvh::AccelKind kind, const bvh::AccelStats& stats);
+
 /// Prints what `--stats` asks for: on stderr, since the picture may go to stdout.
 void print_stats(const RenderReport& report);
 

@@ -59,7 +59,7 @@ std::optional<Failure> check_size(const View& view, const Options& options) {
 }
 
 /// Which samples of each pixel: the command line over the camera over the render block. The centre
-/// of a pixel is one place; what ends a render earlier leaves the number open.
+/// of a pixel is one place; what ends a render earlier leaves the number open, and so does a window.
 render::SampleRange samples_of(const scene::Scene& scene, const scene::Camera* camera,
                                const Options& options) {
     if (options.position == render::PixelPosition::center) return {0, 1};
@@ -67,7 +67,7 @@ render::SampleRange samples_of(const scene::Scene& scene, const scene::Camera* c
         const auto [begin, end] = *options.sample_range;
         return {begin, std::min(end, options.samples.value_or(end))};
     }
-    if (options.sample_limits.is_any()) {
+    if (options.sample_limits.is_any() || options.mode == Mode::window) {
         return {0, options.samples.value_or(render::Film::kMaxSamples)};
     }
     std::uint32_t count = scene.render.samples;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/bounds.h"
-#include "gui/sliders.h"
+#include "gui/slider_value.h"
 #include "image/image.h"
 #include "image/tone_map.h"
 #include "render/prepared_scene.h"

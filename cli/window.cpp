@@ -1,0 +1,148 @@
+#include "cli/window.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+#include <variant>
+
+#include "base/assert.h"
+#include "base/json_writer.h"
+#include "base/terminal_text.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/picture_names.h"
+#include "cli/run.h"
+#include "cli/stored_views.h"
+#include "cli/window_scene.h"
+#include "gui/window.h"
+#include "parser/tools/camera_text.h"
+
+namespace lray::cli {
+
+namespace {
+
+constexpr const char* kUseOutput = "write a picture instead: `-o image.png`";
+
+/// Saves under the next name. What is shown may have changed since the scene was loaded, so the
+/// check that no file of it is overwritten is made each time.
+gui::Outcome save(image::Image light, const image::DisplaySettings& display,
+                  const WindowSceneLoader& loader, Options options) {
+    std::string problem;
+    const auto name = next_picture_name(options, problem);
+    if (!name) return {false, problem};
+    options.output_path = *name;
+    auto opened = open_output(options, loader.files());
+    if (const auto* failure = std::get_if<Failure>(&opened)) return {false, failure->message};
+    const auto failure =
+        write_picture(std::move(std::get<OutputFile>(opened)),
+                      for_file(std::move(light), display, options), display.gamma, loader.info(),
+                      options);
+    if (failure) return {false, failure->message};
+    return {true, fmt::format("saved {}", escape_for_terminal(*name))};
+}
+
+gui::StoredViews read_stored_views(const Options& options) {
+    const std::string path = views_path(options.scene_path);
+    if (path.empty()) return {};
+    FileAccess files = file_access(options);
+    std::string problem;
+    gui::StoredViews views = read_views(path, files, problem);
+    if (!problem.empty()) print_warning(problem);
+    return views;
+}
+
+gui::Outcome write_stored_views(const Options& options, const gui::StoredViews& views) {
+    const std::string path = views_path(options.scene_path);
+    if (path.empty()) return {false, "a scene from stdin has no place for views"};
+    std::string problem = write_views(path, views);
+    if (!problem.empty()) return {false, std::move(problem)};
+    return {true, fmt::format("stored in {}", escape_for_terminal(path))};
+}
+
+gui::Program program_of(const Options& options, WindowSceneLoader& loader) {
+    const std::string title =
+        options.scene_path == "-" ? "<stdin>" : escape_for_terminal(options.scene_path);
+    return {
+        .title = title,
+        .can_load_again = options.scene_path != "-",
+        .load = [&](std::span<const gui::ParamText> params) { return loader.load_again(params); },
+        .save =
+            [&](image::Image light, const image::DisplaySettings& display) {
+                return save(std::move(light), display, loader, options);
+            },
+        .camera_text = [](const scene::Camera& camera) { return parser::camera_text(camera); },
+        .read_views = [&] { return read_stored_views(options); },
+        .write_views =
+            [&](const gui::StoredViews& views) { return write_stored_views(options, views); },
+        .print = [](std::string_view line) { print_requested(fmt::format("{}\n", line)); },
+        .is_interrupted = [] { return stop_requested().load(); },
+        .end_without_window =
+            [](std::string_view why) {
+                const ExitCode code = report_failure({ExitCode::window, std::string(why), kUseOutput});
+                std::fflush(nullptr);
+                std::_Exit(static_cast<int>(code));
+            },
+    };
+}
+
+std::string stats_text(const gui::WindowStats& stats) {
+    const double per_frame = stats.frames == 0 ? 0.0 : 1e3 * stats.upload_seconds / stats.frames;
+    return fmt::format(
+        "first picture after {:.3f} s; {} passes in {:.2f} s, {:.1f} a second; {} frames, {:.2f} "
+        "ms each to upload\n",
+        stats.first_picture_seconds, stats.passes, stats.pass_seconds,
+        stats.pass_seconds > 0.0 ? stats.passes / stats.pass_seconds : 0.0, stats.frames, per_frame);
+}
+
+std::string stats_json(const gui::WindowStats& stats) {
+    JsonWriter json;
+    json.begin_object();
+    json.key("first_picture_seconds").decimal(stats.first_picture_seconds);
+    json.member("passes", std::uint64_t{stats.passes});
+    json.key("pass_seconds").decimal(stats.pass_seconds);
+    json.member("frames", stats.frames);
+    json.key("upload_seconds").decimal(stats.upload_seconds);
+    json.end_object();
+    return json.take() + "\n";
+}
+
+ExitCode exit_code_of(gui::WindowEnd end) {
+    switch (end) {
+        case gui::WindowEnd::closed:
+            return ExitCode::done;
+        case gui::WindowEnd::interrupted:
+            return interrupt_exit_code().value_or(ExitCode::done);
+        case gui::WindowEnd::out_of_memory:
+            return report_failure(out_of_memory());
+    }
+    LRAY_ASSERT(false);
+}
+
+}  // namespace
+
+ExitCode show_window(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    if (!gui::has_display()) {
+        return report_failure({ExitCode::window, "there is no display for a window", kUseOutput});
+    }
+    WindowSceneLoader loader(options);
+    gui::LoadedScene first;
+    if (const auto end = loader.load_first(first)) return *end;
+    for (const std::string& warning : options.warnings) print_warning(warning);
+
+    catch_interrupts();
+    const gui::WindowResult result =
+        gui::show_window(std::move(first), program_of(options, loader), start);
+    if (options.stats == StatsFormat::text) print_message(stats_text(result.stats));
+    if (options.stats == StatsFormat::json) print_message(stats_json(result.stats));
+    const ExitCode code = exit_code_of(result.end);
+    if (result.is_loading) {  // nobody waits for a scene that nobody will see
+        std::fflush(nullptr);
+        std::_Exit(static_cast<int>(code));
+    }
+    return code;
+}
+
+}  // namespace lray::cli

@@ -1,0 +1,166 @@
+// Events and time; what follows from them is in viewer_actions.cpp and viewer_scene.cpp.
+#include "gui/viewer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gui/navigation.h"
+
+namespace lray::gui {
+
+namespace {
+
+// Seconds between two looks at the picture: while it is moved, while it grows, and at rest. What
+// has rested for long changes little from one pass to the next.
+constexpr double kMovingPeriod = 1.0 / 60.0;
+constexpr double kSlowestPeriod = 0.2;
+constexpr double kPeriodGrowth = 0.02;  // of the time since the last change
+constexpr double kRestingPeriod = 0.1;
+constexpr double kLoadingPeriod = 0.03;
+
+bool is_same_progress(const render::SessionStatus& a, const render::SessionStatus& b) {
+    return a.change == b.change && a.square == b.square && a.passes == b.passes &&
+           a.is_done == b.is_done && a.is_paused == b.is_paused;
+}
+
+}  // namespace
+
+Viewer::Viewer(LoadedScene first, Program program, KeyboardLayout layout, const Font& font,
+               double now)
+    : program_(std::move(program)), layout_(layout), font_(font), change_time_(now), now_(now) {
+    size_ = first.view.render_options.resolution;
+    crop_ = first.view.render_options.crop;
+    camera_ = first.view.camera;
+    scene_view_ = first.view;
+    views_ = program_.read_views();
+    take(std::move(first));
+}
+
+Viewer::~Viewer() {
+    session_.cancel_pick();
+}
+
+void Viewer::resize(scene::Resolution size) {
+    if (size == size_) return;
+    size_ = size;
+    if (crop_ && (crop_->x1 > size.width || crop_->y1 > size.height)) crop_.reset();
+    crop_drawn_.reset();
+    mouse_.cancel();
+    sliders_.lay_out(window(), font_);
+    show();
+}
+
+void Viewer::press(const Key& key, double now) {
+    now_ = now;
+    const Bound bound = action_of(key, layout_);
+    repeated_.reset();
+    if (is_movement(bound.action)) {
+        if (!held_.is_any_held(now)) begin_move(Move::keys, now);
+        held_.press(bound.action, now);
+        return;
+    }
+    act(bound, now);
+    switch (bound.action) {
+        case Action::faster:
+        case Action::slower:
+        case Action::exposure_up:
+        case Action::exposure_down:
+        case Action::slider_up:
+        case Action::slider_down: {
+            constexpr double kDelay = 0.4;
+            repeated_ = Repeated{key, bound, now + kDelay};
+            break;
+        }
+        default:
+            break;
+    }
+}
+
+void Viewer::release(const Key& key, double now) {
+    now_ = now;
+    held_.release(movement_of(key, layout_), now);
+    repeated_.reset();
+}
+
+void Viewer::repeat_actions(double now) {
+    constexpr double kPeriod = 0.06;
+    if (!repeated_ || now < repeated_->next) return;
+    repeated_->next = now + kPeriod;
+    act(repeated_->bound, now);
+}
+
+void Viewer::press(MouseButton button, DVec2 at, bool is_shift, double now) {
+    now_ = now;
+    if (button == MouseButton::left && shows_hud_ && sliders_.press(at)) {
+        use_sliders();
+        return;
+    }
+    is_drag_remembered_ = false;
+    apply(mouse_.press(button, at, is_shift), now);
+}
+
+void Viewer::move(DVec2 at, double now) {
+    now_ = now;
+    if (sliders_.drag(at)) return use_sliders();
+    apply(mouse_.move(at), now);
+}
+
+void Viewer::release(MouseButton button, DVec2 at, double now) {
+    now_ = now;
+    if (button == MouseButton::left && sliders_.is_dragging()) return sliders_.release();
+    apply(mouse_.release(button, at), now);
+}
+
+Tick Viewer::tick(double now) {
+    now_ = now;
+    loader_.poll();
+    helper_.poll();
+    if (program_.is_interrupted()) state_ = ViewerState::interrupted;
+    if (watch_.poll(now)) load();
+    repeat_actions(now);
+    const Motion motion = held_.advance(now);
+    if (!motion.is_none()) fly(motion, now);
+
+    const render::SessionStatus status = session_.status();
+    if (status.is_out_of_memory) state_ = ViewerState::out_of_memory;
+    if (status.change != seen_.change) {
+        seen_.passes = 0;
+        find_volumes();  // perhaps of another scene
+    }
+    pass_count_ += status.passes - seen_.passes;
+    if (!is_same_progress(status, seen_)) needs_redraw_ = true;
+    seen_ = status;
+    if (const auto rows = session_.update(frame_)) {
+        needs_redraw_ = true;
+        if (!changed_rows_) changed_rows_ = rows;
+        changed_rows_->begin = std::min(changed_rows_->begin, rows->begin);
+        changed_rows_->end = std::max(changed_rows_->end, rows->end);
+    }
+    if (!message_.empty() && now >= message_end_) {
+        message_.clear();
+        needs_redraw_ = true;
+    }
+
+    Tick tick;
+    const bool is_moving =
+        held_.is_any_held(now) || mouse_.is_held() || sliders_.is_dragging() || repeated_.has_value();
+    const bool is_still = status.is_done || (status.is_paused && status.passes > 0);
+    if (is_moving) {
+        tick.seconds_to_next = kMovingPeriod;
+    } else if (!is_still) {
+        tick.seconds_to_next =
+            std::clamp(kPeriodGrowth * (now - change_time_), kMovingPeriod, kSlowestPeriod);
+    } else {
+        tick.seconds_to_next = helper_.is_busy() ? kLoadingPeriod : kRestingPeriod;
+    }
+    if (is_loading_) tick.seconds_to_next = std::min(tick.seconds_to_next, kLoadingPeriod);
+    tick.needs_redraw = std::exchange(needs_redraw_, false);
+    tick.wanted_size = std::exchange(wanted_size_, std::nullopt);
+    return tick;
+}
+
+std::optional<render::RowRange> Viewer::take_changed_rows() {
+    return std::exchange(changed_rows_, std::nullopt);
+}
+
+}  // namespace lray::gui

@@ -1,10 +1,22 @@
 #include "base/diagnostic_place.h"
 
+#include <fmt/format.h>
+
+#include "base/excerpt.h"
+#include "base/terminal_text.h"
+
 namespace lray {
 
 bool has_position(const Sources& sources, Span span) {
     const bool is_released = sources[span.source].text.size() == 0 && span.offset > 0;
     return !is_released;
+}
+
+std::string place_text(const Sources& sources, Span span) {
+    std::string text = escape_for_terminal(sources[span.source].path, kMaxMessageSize);
+    if (!has_position(sources, span)) return text;
+    const Position position = sources.position(span);
+    return text + fmt::format(":{}:{}", position.line, position.column);
 }
 
 std::optional<Extent> extent_of(const Sources& sources, Span span) {

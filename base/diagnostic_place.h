@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/source.h"
@@ -10,6 +11,10 @@ namespace lray {
 
 /// False where the text is no longer held, and line and column cannot be told.
 bool has_position(const Sources& sources, Span span);
+
+/// Returns "room.lrs:12:3", without line and column where the text is gone: as it may be sent to a
+/// terminal. The span is not nowhere.
+std::string place_text(const Sources& sources, Span span);
 
 /// Begin and end of a span, the end being behind its last character.
 struct Extent {

@@ -9,6 +9,7 @@
 
 #include "base/diagnostic_place.h"
 #include "base/excerpt.h"
+#include "base/terminal_text.h"
 
 namespace lray {
 namespace {
@@ -16,14 +17,6 @@ namespace {
 // ANSI select graphic rendition. Meaning never by colour alone: the words stand beside it.
 constexpr Palette kErrorColors{"\x1b[1;31m", "\x1b[1;34m", "\x1b[1;34m", "\x1b[1m", "\x1b[0m"};
 constexpr Palette kWarningColors{"\x1b[1;33m", "\x1b[1;34m", "\x1b[1;34m", "\x1b[1m", "\x1b[0m"};
-
-/// Returns "room.lrs:12:3", without line and column where the text is gone.
-std::string place(const Sources& sources, Span span) {
-    std::string text = escape_for_terminal(sources[span.source].path, kMaxMessageSize);
-    if (!has_position(sources, span)) return text;
-    const Position position = sources.position(span);
-    return text + fmt::format(":{}:{}", position.line, position.column);
-}
 
 bool has_excerpt(const Sources& sources, Span span) {
     return !span.is_nowhere() && sources[span.source].text.size() > 0;
@@ -43,7 +36,7 @@ std::string include_chain(const Sources& sources, Span span) {
             text += fmt::format(", ... ({} more)", folded_count);
             i += folded_count;
         }
-        text += ", included from " + place(sources, includes[i]);
+        text += ", included from " + place_text(sources, includes[i]);
     }
     return text;
 }
@@ -63,7 +56,7 @@ std::vector<std::string> call_lines(const Sources& sources, std::span<const Call
         }
         const CallSite& call = calls[i];
         lines.push_back("in " + escape_for_terminal(call.name, kMaxMessageSize));
-        if (!call.place.is_nowhere()) lines.back() += " (" + place(sources, call.place) + ")";
+        if (!call.place.is_nowhere()) lines.back() += " (" + place_text(sources, call.place) + ")";
     }
     return lines;
 }
@@ -100,7 +93,7 @@ std::string format_diagnostic(const Diagnostic& diagnostic, const Sources& sourc
 
     std::string result = fmt::format(
         "{}{}:{} {}{}[{}]:{} {}{}", palette.strong,
-        is_nowhere ? std::string("lray") : place(sources, diagnostic.span), palette.reset,
+        is_nowhere ? std::string("lray") : place_text(sources, diagnostic.span), palette.reset,
         palette.primary, is_error ? "error" : "warning", code_info(diagnostic.code).id,
         palette.reset, palette.strong, escape_for_terminal(diagnostic.message, kMaxMessageSize));
     if (diagnostic.count > 1) result += fmt::format(" (occurred {} times)", diagnostic.count);
@@ -114,7 +107,7 @@ std::string format_diagnostic(const Diagnostic& diagnostic, const Sources& sourc
     for (const MarkGroup& group : groups) {
         if (group.source != diagnostic.span.source) {
             result += fmt::format("{:>{}}{}:::{} {}\n", "", width + 1, palette.gutter,
-                                  palette.reset, place(sources, group.marks.front().span));
+                                  palette.reset, place_text(sources, group.marks.front().span));
         }
         result += format_excerpt(sources, group.marks, width, palette);
     }
@@ -132,7 +125,7 @@ std::string format_diagnostic(const Diagnostic& diagnostic, const Sources& sourc
     for (const Label& label : diagnostic.labels) {
         if (has_excerpt(sources, label.span)) continue;
         add_line("", escape_for_terminal(label.message, kMaxMessageSize) +
-                         (label.span.is_nowhere() ? "" : ": " + place(sources, label.span)));
+                         (label.span.is_nowhere() ? "" : ": " + place_text(sources, label.span)));
     }
     for (const std::string& line : call_lines(sources, diagnostic.calls)) add_line("", line);
     const std::string chain = include_chain(sources, diagnostic.span);

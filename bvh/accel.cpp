@@ -20,4 +20,8 @@ void Accel::any_hits(std::span<const Ray> rays, std::span<const Interval> interv
     }
 }
 
+BoundingVolumes Accel::volumes(std::uint32_t /*level*/, std::size_t /*max_count*/) const {
+    return {};
+}
+
 }  // namespace lray::bvh

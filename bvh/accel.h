@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/ray.h"
+#include "bvh/bounding_volume.h"
 #include "bvh/hit.h"
 #include "scene/world.h"
 
@@ -80,6 +81,12 @@ class Accel {
                           std::span<bool> are_hit, TraceCounts& counts) const;
 
     virtual AccelStats stats() const = 0;
+
+    /// Returns the cut at a level, 0 being the root; below the last level nothing changes. Where an
+    /// instance stands, the tree of what it places goes on below the leaf. Of volumes that would be
+    /// more than `max_count`, those above are left: the cut covers everything all the same.
+    /// Space: world. None without a hierarchy.
+    virtual BoundingVolumes volumes(std::uint32_t level, std::size_t max_count) const;
 };
 
 /// Builds a hierarchy over all visible primitives, on all cores of the task arena it is called in:

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kBytesPerPixel = 4;
 constexpr std::uint32_t kPixelsAtATime = 256;
+constexpr std::uint64_t kNoVersion = ~std::uint64_t{0};
 
 }  // namespace
 
@@ -57,7 +58,7 @@ PixelRect LivePicture::rect_of(std::size_t band) const {
 
 void LivePicture::show_band(std::size_t index, const image::DisplaySettings& settings) {
     Band& band = bands_[index];
-    ++band.version;
+    if (band.version != 0) ++band.version;  // else there is nothing to show anew
     band.display = settings;
     const image::Display display(settings);
     const PixelRect rect = rect_of(index);
@@ -121,10 +122,11 @@ void LivePicture::set_display(const image::DisplaySettings& settings) {
 }
 
 std::optional<RowRange> LivePicture::copy_changes(Frame& frame) const {
+    if (newest_version() == 0) return std::nullopt;
     if (frame.resolution != resolution_ || frame.versions.size() != bands_.size()) {
         frame.resolution = resolution_;
         frame.bytes.resize(bytes_.size());
-        frame.versions.assign(bands_.size(), 0);
+        frame.versions.assign(bands_.size(), kNoVersion);
     }
     std::optional<RowRange> changed;
     for (std::size_t i = 0; i < bands_.size(); ++i) {

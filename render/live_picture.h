@@ -44,7 +44,7 @@ class LivePicture {
     void set_display(const image::DisplaySettings& settings);
 
     /// Copies what has changed since the last call for that frame, or all of it if the size has.
-    /// Returns the rows that hold every change; empty if there is none.
+    /// Returns the rows that hold every change; empty if there is none, as long as nothing was put.
     std::optional<RowRange> copy_changes(Frame& frame) const;
 
     /// Returns the light of a part.
@@ -56,7 +56,8 @@ class LivePicture {
     /// Some rows. What it guards lies in the arrays of the picture.
     struct Band {
         mutable std::mutex mutex{};
-        std::uint64_t version = 1;  // a frame never meets one of another picture again
+        /// 0: nothing was put. A frame never meets one of another picture again.
+        std::uint64_t version = 0;
         image::DisplaySettings display{};
     };
 

@@ -90,6 +90,21 @@ image::Image Session::light() const {
     return picture_ ? picture_->light(area_) : image::Image{};
 }
 
+std::optional<Pick> Session::pick(DVec2 position_pixel) {
+    const std::lock_guard one_at_a_time(pick_mutex_);
+    cancel_pick_ = false;
+    if (is_scene_leaving_) return std::nullopt;  // from here on it is cancelled if that happens
+    const std::shared_lock lock(scene_mutex_);
+    if (!scene_) return std::nullopt;
+    return render::pick(scene_->scene, scene_->world, *scene_->accel, scene_->sources, view_.camera,
+                        view_.render_options.resolution, position_pixel, cancel_pick_);
+}
+
+BoundingVolumes Session::volumes(std::uint32_t level, std::size_t max_count) const {
+    const std::shared_lock lock(scene_mutex_);
+    return scene_ ? scene_->accel->volumes(level, max_count) : BoundingVolumes{};
+}
+
 void Session::run() {
     try {
         work();
@@ -133,7 +148,10 @@ void Session::apply(Change change, std::uint64_t number) {
     job_.reset();
     std::unique_ptr<const PreparedScene> outdated;
     {
+        is_scene_leaving_ = true;
+        cancel_pick_ = true;
         const std::unique_lock lock(scene_mutex_);
+        is_scene_leaving_ = false;
         if (change.scene) outdated = std::exchange(scene_, std::move(change.scene));
         LRAY_ASSERT(scene_ != nullptr && change.view);
         view_ = std::move(*change.view);

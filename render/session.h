@@ -12,14 +12,19 @@
 #include <shared_mutex>
 #include <thread>
 
+#include "bvh/bounding_volume.h"
 #include "image/image.h"
 #include "image/tone_map.h"
 #include "render/live_picture.h"
+#include "render/pick.h"
 #include "render/prepared_scene.h"
 #include "render/progressive_job.h"
 #include "render/view.h"
 
 namespace lray::render {
+
+using bvh::BoundingVolume;
+using bvh::BoundingVolumes;
 
 struct SessionStatus {
     std::uint64_t change = 0;      // the change (of set_scene(), set_view()) that is worked on
@@ -66,6 +71,17 @@ class Session {
     /// Returns the light shown, of the crop if there is one.
     image::Image light() const;
 
+    /// Returns what the view that is worked on shows at a position of the full picture; empty if
+    /// that is nothing, or once it is cancelled. Waits for its ray, which may take long.
+    std::optional<Pick> pick(DVec2 position_pixel);
+
+    /// Ends a pick of another thread.
+    void cancel_pick() { cancel_pick_ = true; }
+
+    /// Returns the cut through the hierarchy of the scene that is worked on (bvh::Accel::volumes());
+    /// none without a scene.
+    BoundingVolumes volumes(std::uint32_t level, std::size_t max_count) const;
+
  private:
     struct Change {
         std::unique_ptr<const PreparedScene> scene{};
@@ -97,6 +113,10 @@ class Session {
     std::atomic<bool> is_change_asked_{false};
     std::atomic<bool> is_paused_{false};
     std::atomic<Clock::rep> patience_end_{0};  // until then no change ends the step
+
+    std::mutex pick_mutex_;  // one at a time
+    std::atomic<bool> cancel_pick_{false};
+    std::atomic<bool> is_scene_leaving_{false};
 
     // Written by the session's thread alone, under the lock; it reads without.
     mutable std::shared_mutex scene_mutex_;

@@ -90,20 +90,29 @@ std::string title_of(const Scene& scene, const Node& node) {
     return fmt::format("{} `{}`", kind, scene.labels[node.label_id.index()]);
 }
 
+std::vector<NodeId> instances_elsewhere(const Scene& scene, const ObjectPath& path,
+                                        std::size_t max_count) {
+    const Span shape = scene.node(path.back()).span;
+    std::vector<NodeId> result;
+    for (std::size_t i = path.size() - 1; i-- > 0 && result.size() < max_count;) {
+        const Node& node = scene.node(path[i]);
+        if (node.kind == NodeKind::instance && node.span != shape) result.push_back(path[i]);
+    }
+    return result;
+}
+
 void add_place(Diagnostic& diagnostic, const Scene& scene, const World& world, ObjectId id,
                std::string message) {
     const ObjectPath path = path_of(scene, world, 0, id);
     const Node& shape = scene.node(path.back());
     diagnostic.with_label(shape.span, std::move(message));
+    for (const NodeId instance : instances_elsewhere(scene, path, kMaxInstancesShown)) {
+        diagnostic.with_label(scene.node(instance).span, "placed here");
+    }
     std::string names;
-    std::size_t shown = 0;
-    for (std::size_t i = path.size() - 1; i-- > 0;) {
-        const Node& node = scene.node(path[i]);
-        if (!node.label_id.is_none()) {
-            names = fmt::format("`{}` > {}", scene.labels[node.label_id.index()], names);
-        }
-        if (node.kind != NodeKind::instance || node.span == shape.span) continue;
-        if (shown++ < kMaxInstancesShown) diagnostic.with_label(node.span, "placed here");
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const LabelId label_id = scene.node(path[i]).label_id;
+        if (!label_id.is_none()) names += fmt::format("`{}` > ", scene.labels[label_id.index()]);
     }
     if (names.empty()) return;
     diagnostic.with_note(

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/assert.h"
+#include "bvh/boxes/box_volumes.h"
 #include "bvh/boxes/scalar_walk.h"
 #include "bvh/boxes/tile_of_rays.h"
 
@@ -77,8 +78,13 @@ class BoxAccel final : public Accel {
         return stats;
     }
 
+    BoundingVolumes volumes(std::uint32_t level, std::size_t max_count) const override {
+        return box_volumes(parts_, level_count_, level, max_count);
+    }
+
  private:
     BoxParts parts_;
+    LevelCount level_count_;
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace lray::bvh {
 struct BoxTree {
     Arena arena{};  // what `view` points into
     BoxTreeView view{};
+    Bounds box{};                              // of the root
     std::vector<scene::PrimitiveId> planes{};  // every ray tests them
     AccelStats stats{};                        // of this tree; bytes without the struct's own
 };

@@ -6,7 +6,8 @@
 
 #include "bvh/instance_ray.h"
 #include "bvh/intersect.h"
-#include "bvh/spheres/sphere_tree.h"
+#include "bvh/spheres/sphere_part.h"
+#include "bvh/spheres/sphere_volumes.h"
 #include "scene/each_primitive.h"
 
 namespace lray::bvh {
@@ -16,16 +17,8 @@ namespace {
 using scene::PrimitiveId;
 using scene::PrimitiveKind;
 
-/// A geometry with its tree. Planes have no bounding sphere: every ray tests them.
-struct Part {
-    const scene::Geometry* geometry = nullptr;
-    SphereTree tree{};
-    std::vector<PrimitiveId> objects{};  // in the order of the tree's leaves
-    std::vector<PrimitiveId> planes{};
-};
-
-Part make_part(const scene::Geometry& geometry) {
-    Part part;
+SpherePart make_part(const scene::Geometry& geometry) {
+    SpherePart part;
     part.geometry = &geometry;
     std::vector<PrimitiveId> ids;
     std::vector<BoundingSphere> spheres;
@@ -54,36 +47,41 @@ struct Waiting {
 
 class SphereAccel final : public Accel {
  public:
-    explicit SphereAccel(const scene::World& world) : world_(make_part(world)) {
-        prototypes_.reserve(world.prototypes.size());
+    explicit SphereAccel(const scene::World& world) {
+        parts_.world = make_part(world);
+        parts_.prototypes.reserve(world.prototypes.size());
         for (const scene::Geometry& prototype : world.prototypes) {
-            prototypes_.push_back(make_part(prototype));
+            parts_.prototypes.push_back(make_part(prototype));
         }
     }
 
     Hit nearest_hit(const Ray& ray, Interval interval, TraceCounts& counts) const override {
         Hit best;
         ++counts.rays;
-        if (is_traceable(ray)) nearest(world_, 0, prepare(ray), interval, best, counts);
+        if (is_traceable(ray)) nearest(parts_.world, 0, prepare(ray), interval, best, counts);
         return best;
     }
 
     bool any_hit(const Ray& ray, Interval interval, TraceCounts& counts) const override {
         ++counts.rays;
-        return is_traceable(ray) && any(world_, prepare(ray), interval, counts);
+        return is_traceable(ray) && any(parts_.world, prepare(ray), interval, counts);
     }
 
     AccelStats stats() const override {
         AccelStats stats;
-        stats.bytes = sizeof *this + prototypes_.capacity() * sizeof(Part);
-        stats.cost = world_.tree.cost;
-        add_part(world_, stats);
-        for (const Part& part : prototypes_) add_part(part, stats);
+        stats.bytes = sizeof *this + parts_.prototypes.capacity() * sizeof(SpherePart);
+        stats.cost = parts_.world.tree.cost;
+        add_part(parts_.world, stats);
+        for (const SpherePart& part : parts_.prototypes) add_part(part, stats);
         return stats;
     }
 
+    BoundingVolumes volumes(std::uint32_t level, std::size_t max_count) const override {
+        return sphere_volumes(parts_, level_count_, level, max_count);
+    }
+
  private:
-    static void add_part(const Part& part, AccelStats& stats) {
+    static void add_part(const SpherePart& part, AccelStats& stats) {
         stats.nodes += part.tree.nodes.size();
         stats.leaves += static_cast<std::uint64_t>(
             std::ranges::count_if(part.tree.nodes, &SphereNode::is_leaf));
@@ -96,7 +94,7 @@ class SphereAccel final : public Accel {
     /// Calls visit(PrimitiveId) for the objects of every leaf that the ray meets within the
     /// interval, the nearer child first, until it returns false. `interval` may shrink meanwhile.
     template <class Visit>
-    static bool walk(const Part& part, const PreparedRay& ray, const Interval& interval,
+    static bool walk(const SpherePart& part, const PreparedRay& ray, const Interval& interval,
                      TraceCounts& counts, Visit visit) {
         if (part.tree.nodes.empty()) return true;
         std::array<Waiting, kMaxSphereDepth> stack;
@@ -133,14 +131,14 @@ class SphereAccel final : public Accel {
     }
 
     // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-    void nearest(const Part& part, scene::PlaceOffset place, const PreparedRay& ray,
+    void nearest(const SpherePart& part, scene::PlaceOffset place, const PreparedRay& ray,
                  Interval interval, Hit& best, TraceCounts& counts) const {
         const auto meet = [&](PrimitiveId id) {
             if (id.kind() == PrimitiveKind::instance) {
                 const scene::WorldInstance& instance = part.geometry->instances[id.index()];
                 const Interval inside = interval_in(instance, ray, interval, counts);
                 if (!inside.is_empty()) {
-                    nearest(prototypes_[instance.prototype], place + instance.first_place,
+                    nearest(parts_.prototypes[instance.prototype], place + instance.first_place,
                             ray_in(instance, ray), inside, best, counts);
                 }
             } else {
@@ -157,7 +155,7 @@ class SphereAccel final : public Accel {
     }
 
     // NOLINTNEXTLINE(misc-no-recursion): as deep as instances nest
-    bool any(const Part& part, const PreparedRay& ray, Interval interval,
+    bool any(const SpherePart& part, const PreparedRay& ray, Interval interval,
              TraceCounts& counts) const {
         const auto is_passed = [&](PrimitiveId id) {
             if (!part.geometry->object(part.geometry->object_of(id)).casts_shadow) return true;
@@ -167,15 +165,15 @@ class SphereAccel final : public Accel {
             }
             const scene::WorldInstance& instance = part.geometry->instances[id.index()];
             const Interval inside = interval_in(instance, ray, interval, counts);
-            return inside.is_empty() ||
-                   !any(prototypes_[instance.prototype], ray_in(instance, ray), inside, counts);
+            return inside.is_empty() || !any(parts_.prototypes[instance.prototype],
+                                             ray_in(instance, ray), inside, counts);
         };
         return !std::ranges::all_of(part.planes, is_passed) ||
                !walk(part, ray, interval, counts, is_passed);
     }
 
-    Part world_;
-    std::vector<Part> prototypes_;
+    SphereParts parts_;
+    LevelCount level_count_;
 };
 
 }  // namespace

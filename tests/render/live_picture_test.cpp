@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 #include "image/srgb.h"
 
@@ -17,14 +18,23 @@ std::array<int, 4> pixel(const Frame& frame, std::uint32_t x, std::uint32_t y) {
     return {frame.bytes[at], frame.bytes[at + 1], frame.bytes[at + 2], frame.bytes[at + 3]};
 }
 
-TEST(LivePicture, IsBlackAtFirst) {
-    const LivePicture picture({5, 40}, {});
+TEST(LivePicture, IsNothingToCopyBeforeAnythingWasPut) {
+    LivePicture picture({5, 40}, {});
+    picture.set_display({.exposure = 1.0});
     Frame frame;
-    const auto rows = picture.copy_changes(frame);
-    ASSERT_TRUE(rows.has_value());
-    EXPECT_EQ(rows->begin, 0u);
-    EXPECT_EQ(rows->end, 40u);
-    EXPECT_EQ(pixel(frame, 4, 39), (std::array<int, 4>{0, 0, 0, 255}));
+    EXPECT_FALSE(picture.copy_changes(frame).has_value());
+    EXPECT_TRUE(frame.bytes.empty());
+}
+
+TEST(LivePicture, IsBlackWhereNothingWasPut) {
+    LivePicture picture({5, 40}, {});
+    picture.put({0, 0, 1, 1}, std::array<Color, 1>{kRed}, 1);
+    Frame frame;
+    EXPECT_TRUE(picture.copy_changes(frame).has_value());
+    EXPECT_EQ(pixel(frame, 0, 0), (std::array<int, 4>{255, 0, 0, 255}));
+    for (const std::uint32_t y : {1u, 39u}) {
+        EXPECT_EQ(pixel(frame, 4, y), (std::array<int, 4>{0, 0, 0, 255}));
+    }
 }
 
 TEST(LivePicture, ShowsValuesInSquaresThatThePartCutsOff) {
@@ -50,6 +60,7 @@ TEST(LivePicture, ShowsValuesInSquaresThatThePartCutsOff) {
 TEST(LivePicture, CopiesTheRowsThatChanged) {
     LivePicture picture({20, 100}, {});
     Frame frame;
+    picture.put({0, 0, 1, 100}, std::vector<Color>(100, kGrey), 1);
     picture.copy_changes(frame);
     picture.put({0, 50, 1, 51}, std::array<Color, 1>{kRed}, 1);
     const auto rows = picture.copy_changes(frame);
@@ -76,6 +87,7 @@ TEST(LivePicture, OfAnotherSizeShowsTheOldOneStretched) {
 TEST(LivePicture, OfTheSameSizeIsTakenForAnother) {
     LivePicture first({20, 20}, {});
     Frame frame;
+    first.put({0, 0, 1, 1}, std::array<Color, 1>{kRed}, 1);
     first.copy_changes(frame);
     const LivePicture second({20, 20}, {}, &first);
     EXPECT_TRUE(second.copy_changes(frame).has_value());

@@ -92,6 +92,13 @@ constexpr bool is_movement(Action action) {
     return action >= Action::forward && action <= Action::go_down;
 }
 
+/// True if it is done again and again while the key is held.
+constexpr bool repeats(Action action) {
+    return action == Action::faster || action == Action::slower ||
+           action == Action::exposure_up || action == Action::exposure_down ||
+           action == Action::slider_down || action == Action::slider_up;
+}
+
 struct Bound {
     Action action = Action::none;
     int number = 0;  // of the view that is recalled or stored, from 1

@@ -55,25 +55,13 @@ void Viewer::press(const Key& key, double now) {
     const Bound bound = action_of(key, layout_);
     repeated_.reset();
     if (is_movement(bound.action)) {
-        if (!held_.is_any_held(now)) begin_move(Move::keys, now);
+        if (!held_.is_any_held()) begin_move(Move::keys, now);
         held_.press(bound.action, now);
         return;
     }
     act(bound, now);
-    switch (bound.action) {
-        case Action::faster:
-        case Action::slower:
-        case Action::exposure_up:
-        case Action::exposure_down:
-        case Action::slider_up:
-        case Action::slider_down: {
-            constexpr double kDelay = 0.4;
-            repeated_ = Repeated{key, bound, now + kDelay};
-            break;
-        }
-        default:
-            break;
-    }
+    constexpr double kDelay = 0.4;
+    if (repeats(bound.action)) repeated_ = Repeated{key, bound, now + kDelay};
 }
 
 void Viewer::release(const Key& key, double now) {
@@ -143,7 +131,7 @@ Tick Viewer::tick(double now) {
 
     Tick tick;
     const bool is_moving =
-        held_.is_any_held(now) || mouse_.is_held() || sliders_.is_dragging() || repeated_.has_value();
+        held_.is_any_held() || mouse_.is_held() || sliders_.is_dragging() || repeated_.has_value();
     const bool is_still = status.is_done || (status.is_paused && status.passes > 0);
     if (is_moving) {
         tick.seconds_to_next = kMovingPeriod;

@@ -44,7 +44,7 @@ class Viewer {
     void press(const Key& key, double now);
     void release(const Key& key, double now);
     void release_all_keys(double now) { held_.release_all(now); }
-    bool has_held_keys(double now) const { return held_.is_any_held(now); }
+    bool has_held_keys() const { return held_.is_any_held(); }
     void press(MouseButton button, DVec2 at, bool is_shift, double now);
     void move(DVec2 at, double now);
     void release(MouseButton button, DVec2 at, double now);
@@ -70,7 +70,9 @@ class Viewer {
 
     // viewer_actions.cpp
     void act(Bound bound, double now);
-    void act_on_view(Bound bound, double now);
+    void jump_to(const scene::Camera& camera, double now);
+    void step_through_history(bool is_undo, double now);
+    void use_next_tone_map();
     void recall_view(int number, double now);
     void store_view(int number, double now);
     void pick(DVec2 at);

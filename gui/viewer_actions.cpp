@@ -62,26 +62,25 @@ void Viewer::act(Bound bound, double now) {
             return tell(is_flying_ ? "fly: dragging looks around" : "orbit: dragging turns the scene",
                         now);
         case Action::frame_all:
+            return jump_to(render::framed(camera_, bounds_, size_), now);
         case Action::scene_camera:
+            return jump_to(scene_view_.camera, now);
         case Action::recall_view:
+            return recall_view(bound.number, now);
         case Action::store_view:
+            return store_view(bound.number, now);
         case Action::undo:
+            return step_through_history(true, now);
         case Action::redo:
-            return act_on_view(bound, now);
+            return step_through_history(false, now);
         case Action::exposure_up:
             exposure_ = std::min(exposure_ + kExposureStep, kMaxExposure);
             return show_display();
         case Action::exposure_down:
             exposure_ = std::max(exposure_ - kExposureStep, -kMaxExposure);
             return show_display();
-        case Action::next_tone_map: {
-            const image::ToneMap now_used = tonemap_.value_or(
-                scene_view_.render_options.display.tonemap);
-            const auto at = std::find(kToneMaps.begin(), kToneMaps.end(), now_used);
-            tonemap_ = kToneMaps[static_cast<std::size_t>(at - kToneMaps.begin() + 1) %
-                                 kToneMaps.size()];
-            return show_display();
-        }
+        case Action::next_tone_map:
+            return use_next_tone_map();
         case Action::next_shading:
             return choose_shading(1);
         case Action::previous_shading:
@@ -122,30 +121,24 @@ void Viewer::act(Bound bound, double now) {
     LRAY_ASSERT(false);
 }
 
-/// Where the camera goes by keys that do not move it bit by bit.
-void Viewer::act_on_view(Bound bound, double now) {
-    switch (bound.action) {
-        case Action::frame_all:
-            begin_move(Move::jump, now);
-            return set_camera(render::framed(camera_, bounds_, size_));
-        case Action::scene_camera:
-            begin_move(Move::jump, now);
-            return set_camera(scene_view_.camera);
-        case Action::recall_view:
-            return recall_view(bound.number, now);
-        case Action::store_view:
-            return store_view(bound.number, now);
-        case Action::undo:
-        case Action::redo: {
-            const bool is_undo = bound.action == Action::undo;
-            const auto other = is_undo ? history_.undo(camera_) : history_.redo(camera_);
-            last_move_ = Move::none;
-            if (other) return set_camera(*other);
-            return tell(is_undo ? "nothing to undo" : "nothing to redo", now);
-        }
-        default:
-            LRAY_ASSERT(false);
-    }
+void Viewer::jump_to(const scene::Camera& camera, double now) {
+    begin_move(Move::jump, now);
+    set_camera(camera);
+}
+
+void Viewer::step_through_history(bool is_undo, double now) {
+    const auto other = is_undo ? history_.undo(camera_) : history_.redo(camera_);
+    last_move_ = Move::none;
+    if (other) return set_camera(*other);
+    tell(is_undo ? "nothing to undo" : "nothing to redo", now);
+}
+
+void Viewer::use_next_tone_map() {
+    const image::ToneMap used = tonemap_.value_or(scene_view_.render_options.display.tonemap);
+    const auto at = std::find(kToneMaps.begin(), kToneMaps.end(), used);
+    tonemap_ =
+        kToneMaps[static_cast<std::size_t>(at - kToneMaps.begin() + 1) % kToneMaps.size()];
+    show_display();
 }
 
 void Viewer::recall_view(int number, double now) {
@@ -153,8 +146,7 @@ void Viewer::recall_view(int number, double now) {
     if (view == views_.end()) {
         return tell(fmt::format("there is no view {}; Shift+F{} stores one", number, number), now);
     }
-    begin_move(Move::jump, now);
-    set_camera(view->second);
+    jump_to(view->second, now);
 }
 
 void Viewer::store_view(int number, double now) {

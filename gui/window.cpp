@@ -288,7 +288,7 @@ void Window::on_timer(int generation) {
 
 void Window::tick() {
     const double time = now();
-    if (viewer_.has_held_keys(time) && display_ && time >= next_key_check_) {
+    if (viewer_.has_held_keys() && display_ && time >= next_key_check_) {
         next_key_check_ = time + kKeyCheckSeconds;
         if (!display_->is_any_key_down()) viewer_.release_all_keys(time);
     }

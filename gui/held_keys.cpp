@@ -23,7 +23,7 @@ void HeldKeys::press(Action action, double now) {
     Held& key = held(action);
     if (key.is_down) return;
     count(key, now);
-    if (!key.is_active) key.counted = now;
+    key.counted = now;
     key.is_active = true;
     key.is_down = true;
     key.pressed = now;

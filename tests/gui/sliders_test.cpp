@@ -177,6 +177,23 @@ TEST(Sliders, WhatDoesNotFitIsScrolledToTheSelectedOne) {
     EXPECT_TRUE(all_text(sliders).starts_with("parameters 17-20 of 20\n")) << all_text(sliders);
 }
 
+TEST(Sliders, AWindowThatGrowsIsFilledFromItsEnd) {
+    Sliders sliders = sliders_of(20, {800, 140});
+    sliders.select_previous();
+    sliders.lay_out({800, 300}, kFont);
+    EXPECT_TRUE(all_text(sliders).starts_with("parameters 10-20 of 20\n")) << all_text(sliders);
+    sliders.lay_out(kWindow, kFont);
+    EXPECT_TRUE(all_text(sliders).starts_with("p0\n")) << all_text(sliders);
+}
+
+TEST(Sliders, FewerAfterAReloadAreAllShown) {
+    const WindowSize window{800, 140};
+    Sliders sliders = sliders_of(20, window);
+    sliders.select_previous();
+    sliders.set({slider("p18"), slider("p19")});
+    EXPECT_EQ(all_text(sliders), "p18\n0\np19\n0\n");
+}
+
 TEST(Sliders, APressWhileScrolledHitsWhatIsShown) {
     const WindowSize window{800, 140};
     Sliders sliders = sliders_of(20, window);

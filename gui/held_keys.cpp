@@ -29,8 +29,7 @@ void HeldKeys::press(Action action, double now) {
     key.pressed = now;
 }
 
-void HeldKeys::release(Action action, double now) {
-    Held& key = held(action);
+void HeldKeys::let_go(Held& key, double now) {
     if (!key.is_down) return;
     count(key, now);
     key.is_down = false;
@@ -38,12 +37,12 @@ void HeldKeys::release(Action action, double now) {
     key.is_active = key.until > now;
 }
 
+void HeldKeys::release(Action action, double now) {
+    let_go(held(action), now);
+}
+
 void HeldKeys::release_all(double now) {
-    for (Held& key : held_) {
-        count(key, now);
-        key.is_down = false;
-        key.is_active = false;
-    }
+    for (Held& key : held_) let_go(key, now);
 }
 
 bool HeldKeys::is_any_held() const {

@@ -35,7 +35,7 @@ class HeldKeys {
     /// nothing.
     void release(Action action, double now);
 
-    /// Ends everything at once, taps too: the window has lost the keyboard.
+    /// For when the window has lost the keyboard, and with it the end of presses.
     void release_all(double now);
 
     /// True if a later advance() will return some motion.
@@ -55,6 +55,7 @@ class HeldKeys {
     };
 
     static void count(Held& held, double now);
+    static void let_go(Held& held, double now);
     double taken(Action action, double now);
     Held& held(Action action);
 

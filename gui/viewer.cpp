@@ -66,7 +66,8 @@ void Viewer::press(const Key& key, double now) {
 
 void Viewer::release(const Key& key, double now) {
     now_ = now;
-    held_.release(movement_of(key, layout_), now);
+    const Action action = movement_of(key, layout_);
+    if (is_movement(action)) held_.release(action, now);
     repeated_.reset();
 }
 

@@ -86,10 +86,10 @@ TEST(HeldKeys, LosingTheKeyboardEndsAllAtOnce) {
     keys.press(Action::forward, 0.0);
     keys.press(Action::strafe_right, 0.0);
     keys.release(Action::strafe_right, 0.01);
-    keys.release_all(0.05);
+    keys.release_all(0.15);
     const Motion motion = keys.advance(1.0);
-    EXPECT_NEAR(motion.forward, 0.05, 1e-12);
-    EXPECT_NEAR(motion.right, 0.05, 1e-12);
+    EXPECT_NEAR(motion.forward, 0.15, 1e-12);
+    EXPECT_NEAR(motion.right, HeldKeys::kLeastPress, 1e-12);
     EXPECT_FALSE(keys.is_any_held());
     EXPECT_TRUE(keys.advance(2.0).is_none());
 }

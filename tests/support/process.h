@@ -1,6 +1,7 @@
 // Runs a program and catches what it says.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,12 +28,23 @@ class Process {
 
     void send_signal(int number) const;
 
+    /// What it has said so far.
+    std::string out() const;
+    std::string err() const;
+
+    /// True as long as it has not ended.
+    bool is_running();
+
+    /// Processor seconds it has used so far.
+    double cpu_seconds() const;
+
     /// Waits for its end.
     ProcessResult wait();
 
  private:
     TempDirectory files_;
     int id_ = -1;
+    std::optional<int> status_{};  // of its end, if that was noticed already
 };
 
 /// Starts a program and waits for its end.

@@ -35,7 +35,7 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     StageTimes times;
     Stopwatch watch;
 
-    const auto [scene, usage_mistakes] =
+    const auto [scene, usage_mistakes, params] =
         parser::load(options.scene_path, load_settings(options), files, sources, diagnostics);
     times.load = watch.lap();
     if (!usage_mistakes.empty()) return report_usage_mistakes(usage_mistakes);

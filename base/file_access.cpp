@@ -126,6 +126,7 @@ ReadResult FileAccess::read_main(std::string_view path, std::uint64_t max_size) 
     if (!attempt.file.is_open()) attempt.error = errno;
     attempt.status = status_of(attempt.error);
     if (attempt.status == ReadStatus::not_found) {
+        note_missing(result.path);
         const std::string directory = directory_of(path);
         const std::string near = nearest_file_name(
             file_name_of(path),
@@ -186,6 +187,7 @@ ReadResult FileAccess::read(std::string_view path, std::string_view from_directo
             finish(result, std::move(attempt), limits, place);
             return result;
         }
+        if (attempt.status == ReadStatus::not_found) note_missing(place);
         if (!first) first = std::move(attempt);
     }
     result.path = result.searched.front();
@@ -251,6 +253,9 @@ void FileAccess::read_library(ReadResult& result, std::string_view name, const R
     const bool is_there =
         attempt.status != ReadStatus::outside && attempt.status != ReadStatus::not_found;
     if (!is_there) {
+        if (attempt.status == ReadStatus::not_found) {
+            note_missing(join_paths(library_.directory, tidy));
+        }
         constexpr int kListFlags = kOpenFlags | O_DIRECTORY;
         const int library = library_.descriptor.fd();
         result.available = names_in(open_beneath(library, ".", kListFlags, method_).file);
@@ -289,6 +294,11 @@ void FileAccess::read_ignoring_case(ReadResult& result, std::string_view written
             return;
         }
     }
+}
+
+void FileAccess::note_missing(const std::string& place) {
+    const bool is_new = files_missed_.size() < kMaxFilesMissed && is_missed_.insert(place).second;
+    if (is_new) files_missed_.push_back(place);
 }
 
 void FileAccess::finish(ReadResult& result, Attempt attempt, const ReadLimits& limits,

@@ -52,6 +52,9 @@ class FileAccess {
     /// may name any number of missing files.
     static constexpr std::size_t kMaxSearches = 100;
 
+    /// So many missing files are remembered.
+    static constexpr std::size_t kMaxFilesMissed = 1000;
+
     explicit FileAccess(BeneathMethod method = best_beneath_method()) : method_(method) {}
 
     /// Reads may touch this directory and all below it. Also a place where relative names are
@@ -76,6 +79,11 @@ class FileAccess {
 
     /// Every file that was read, in order, each once, as paths that lead to it from here.
     std::span<const std::string> files_read() const { return files_read_; }
+
+    /// Every place where a file was looked for in vain, in order, each once, as paths from here: a
+    /// file that appears there would be read the next time. No more than kMaxFilesMissed; places
+    /// outside of the allowed directories are not among them.
+    std::span<const std::string> files_missed() const { return files_missed_; }
 
  private:
     struct Root {
@@ -106,6 +114,7 @@ class FileAccess {
     void read_ignoring_case(ReadResult& result, std::string_view written, const ReadLimits& limits);
     void finish(ReadResult& result, Attempt attempt, const ReadLimits& limits,
                 const std::string& place);
+    void note_missing(const std::string& place);
 
     BeneathMethod method_;
     std::vector<Root> roots_;
@@ -113,6 +122,8 @@ class FileAccess {
     std::vector<std::string> files_read_;
     std::size_t searches_left_ = kMaxSearches;
     std::unordered_set<std::string> is_read_;
+    std::vector<std::string> files_missed_;
+    std::unordered_set<std::string> is_missed_;
 };
 
 }  // namespace lray

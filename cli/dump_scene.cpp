@@ -17,7 +17,7 @@ ExitCode dump_scene(const Options& options) {
     Sources sources;
     Diagnostics diagnostics(options.warning_levels);
     FileAccess files = file_access(options);
-    const auto [scene, usage_mistakes] =
+    const auto [scene, usage_mistakes, params] =
         parser::load(options.scene_path, load_settings(options), files, sources, diagnostics);
     if (!usage_mistakes.empty()) return report_usage_mistakes(usage_mistakes);
     // What cannot be placed is told of the original, where its author can mend it.

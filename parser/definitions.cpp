@@ -2,15 +2,66 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 #include <string_view>
 
 #include "base/did_you_mean.h"
+#include "parser/builtins/builtins.h"
 #include "parser/check/constant_value.h"
+#include "parser/values/operators.h"
 
 namespace lray::parser {
 
 namespace {
+
+std::optional<Value> literal_value(const Expr& expr, Arena& arena);
+
+// `rgb(1, 0.5, 0)`: a colour that has no hex digits.
+std::optional<Value> color_value(const CallExpr& call, Arena& arena) {
+    if (call.callee->kind != ExprKind::name || call.arguments.size() != 3) return std::nullopt;
+    const NameExpr& callee = static_cast<const NameExpr&>(*call.callee);
+    const bool is_rgb = callee.meaning == Meaning::builtin && callee.index == find_builtin("rgb");
+    std::array<double, 4> rgba{0.0, 0.0, 0.0, 1.0};
+    for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+        const Argument& argument = call.arguments[i];
+        const std::optional<Value> channel = constant_value(*argument.value, arena);
+        const bool is_plain =
+            argument.name == kNoSymbol && channel && channel->is(ValueKind::number);
+        if (!is_rgb || !is_plain) return std::nullopt;
+        rgba[i] = channel->number;
+    }
+    return Value::of_color(arena.copy(std::span<const double>(rgba)).data());
+}
+
+std::optional<Value> list_value(const ListExpr& expr, Arena& arena) {
+    std::vector<Value> elements;
+    for (const Expr* element : expr.elements) {
+        const std::optional<Value> value = literal_value(*element, arena);
+        if (!value) return std::nullopt;
+        elements.push_back(*value);
+    }
+    return make_list(elements, arena);
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as literal() lets the checker go
+std::optional<Value> literal_value(const Expr& expr, Arena& arena) {
+    if (expr.kind == ExprKind::call) return color_value(static_cast<const CallExpr&>(expr), arena);
+    if (expr.kind == ExprKind::list) return list_value(static_cast<const ListExpr&>(expr), arena);
+    return constant_value(expr, arena);
+}
+
+// A file that is named on the command line is looked for where that of the default would be.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as literal() lets the checker go
+Value written_in(SourceId source, const Value& value, Arena& arena) {
+    if (value.is(ValueKind::string)) return Value::of_string(value.string(), source);
+    if (!value.is(ValueKind::list)) return value;
+    std::vector<Value> elements;
+    for (std::uint32_t i = 0; i < value.count; ++i) {
+        elements.push_back(written_in(source, value.elements[i], arena));
+    }
+    return make_list(elements, arena);
+}
 
 // The text as a value of the language; empty if it is none.
 std::optional<Value> literal(std::string_view text, ParseContext& context) {
@@ -24,7 +75,7 @@ std::optional<Value> literal(std::string_view text, ParseContext& context) {
     check(file.items, context.scene.nodes, context.symbols, context.sources, kNesting,
           context.arena, problems);
     if (problems.has_errors()) return std::nullopt;
-    return constant_value(*static_cast<const LetItem&>(*file.items[0]).value, context.arena);
+    return literal_value(*static_cast<const LetItem&>(*file.items[0]).value, context.arena);
 }
 
 }  // namespace
@@ -57,6 +108,7 @@ std::unordered_map<const LetItem*, Value> read_definitions(std::span<const Defin
                                      item.value->span.source);
         } else {
             value = literal(definition.value, context);
+            if (value) value = written_in(item.value->span.source, *value, context.arena);
         }
         if (!value) {
             mistakes.push_back(

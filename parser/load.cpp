@@ -63,7 +63,10 @@ LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess&
     environment.params =
         read_definitions(settings.definitions, checked, context, result.usage_mistakes);
     if (!result.usage_mistakes.empty()) return result;
+    ListedParams params(symbols);
+    environment.listed_params = &params;
     evaluate(items, environment, scene, diagnostics);
+    result.params = params.take();
     if (diagnostics.has_errors() || !result.usage_mistakes.empty()) return result;
     warn_of_gaps(scene, *main, diagnostics);
     result.scene = std::move(scene);

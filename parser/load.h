@@ -49,9 +49,41 @@ struct LoadSettings {
     bool use_memo = true;
 };
 
+/// So many params are listed, of so many choices each.
+inline constexpr std::size_t kMaxListedParams = 1000;
+inline constexpr std::size_t kMaxListedChoices = 1000;
+/// Bytes of the text of a value that is listed, and of all choices together.
+inline constexpr std::size_t kMaxParamText = 1000;
+inline constexpr std::size_t kMaxChoicesText = std::size_t{1} << 20;
+
+/// The numbers that a param may be, both ends included.
+struct ParamRange {
+    double least = 0.0;
+    double greatest = 0.0;
+    double value = 0.0;
+    double default_value = 0.0;
+    bool is_whole = false;  // whole numbers alone
+};
+
+/// A param with the value that it had, and what it may be. A `literal` is text that `-D name=`
+/// reads as the same value, to the bit.
+struct ParamValue {
+    std::string name{};  // `lib.name` for a param of an import
+    Span place{};        // of the name
+    std::string value{};
+    std::string default_value{};
+    bool has_literals = false;          // else both are as a message shows them
+    std::optional<ParamRange> range{};  // a number between bounds
+    std::vector<std::string>
+        choices{};  // one of these literals; without range and choices: anything
+};
+
 struct LoadResult {
     std::optional<scene::Scene> scene{};        // empty when any error was reported
     std::vector<std::string> usage_mistakes{};  // of the definitions, a sentence each
+    /// The params that were evaluated and fit, in that order; after an error those before it. Some
+    /// may not be listed where there are very many.
+    std::vector<ParamValue> params{};
 };
 
 /// Reads, parses, checks and evaluates a scene with all it includes and imports.

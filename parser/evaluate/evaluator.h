@@ -8,6 +8,7 @@
 
 #include "base/diagnostics.h"
 #include "parser/check/checker.h"
+#include "parser/evaluate/listed_params.h"
 #include "parser/file_loader.h"
 #include "parser/load.h"
 #include "parser/symbols.h"
@@ -27,6 +28,7 @@ struct Environment {
     double time = 0.0;
     std::unordered_map<const LetItem*, Value> params{};  // given on the command line
     std::vector<std::string>* usage_mistakes = nullptr;  // takes what is wrong with those
+    ListedParams* listed_params = nullptr;               // takes what the params are; may be null
 };
 
 /// Evaluates the items of a program, top to bottom, into the scene and makes its root.

@@ -99,16 +99,31 @@ Value Evaluator::param(const LetItem& item) {
     if (given == environment_.params.end()) {
         const std::optional<Misfit> misfit = misfit_of(item, fallback, fallback, choices);
         if (misfit) error(misfit->code, misfit->span, misfit->message);
-        return misfit ? Value::poison() : fallback;
+        if (misfit) return Value::poison();
+        list_param(item, fallback, fallback, choices);
+        return fallback;
     }
     const Value value = given->second;
     std::optional<Misfit> misfit = misfit_of(item, value, fallback, choices);
     if (!misfit && !has_type(item.type, value)) {
         misfit = Misfit{Code::E0301, Span{}, needs_type(item, value)};
     }
-    if (!misfit) return value;
+    if (!misfit) {
+        const bool has_good_default = !misfit_of(item, fallback, fallback, choices);
+        if (has_good_default) list_param(item, value, fallback, choices);
+        return value;
+    }
     environment_.usage_mistakes->push_back(misfit->message);
     return fallback;
+}
+
+void Evaluator::list_param(const LetItem& item, const Value& value, const Value& fallback,
+                           const Value& choices) {
+    if (environment_.listed_params == nullptr || !has_type(item.type, value)) return;
+    if (params_of_items_.empty()) {
+        for (const Param& param : checked_.params) params_of_items_.emplace(param.item, &param);
+    }
+    environment_.listed_params->add(*params_of_items_.at(&item), value, fallback, choices);
 }
 
 // What is wrong with a value of a param; empty if it is one of those that follow `in`.
@@ -134,7 +149,6 @@ std::optional<Evaluator::Misfit> Evaluator::misfit_of(const LetItem& item, const
     if (choices.is_vector(2)) {
         const double low = choices.numbers[0];
         const double high = choices.numbers[1];
-        const auto is_whole = [](double x) { return x == std::floor(x); };
         if (!value.is(ValueKind::number)) {
             return Misfit{Code::E0301, span,
                           fmt::format("`{}` needs a number, this is {}", name, describe(value))};
@@ -150,9 +164,8 @@ std::optional<Evaluator::Misfit> Evaluator::misfit_of(const LetItem& item, const
                 fmt::format("`{}` must be from {} to {}, this is {}", name, format_number(low),
                             format_number(high), format_number(value.number))};
         }
-        const bool is_int = fallback.is(ValueKind::number) && is_whole(fallback.number) &&
-                            is_whole(low) && is_whole(high);
-        if (!is_int || is_whole(value.number)) return std::nullopt;
+        const bool is_whole = value.number == std::floor(value.number);
+        if (is_whole || !is_whole_range(fallback, choices)) return std::nullopt;
         return Misfit{Code::E0308, span,
                       fmt::format("`{}` needs a whole number, this is {}", name,
                                   format_number(value.number))};

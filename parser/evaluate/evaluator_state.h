@@ -71,6 +71,8 @@ class Evaluator final : public Runtime {
     Flow item(Item& item, OpenBlock& open);
     void let(const LetItem& item);
     Value param(const LetItem& item);
+    void list_param(const LetItem& item, const Value& value, const Value& fallback,
+                    const Value& choices);
     std::string needs_type(const LetItem& item, const Value& value) const;
     struct Misfit {
         Code code{};
@@ -220,6 +222,7 @@ class Evaluator final : public Runtime {
     scene::Scene& scene_;
     Diagnostics& diagnostics_;
 
+    std::unordered_map<const LetItem*, const Param*> params_of_items_;  // once one is listed
     std::vector<Value> globals_;
     std::vector<Value> slots_;    // the frames of all calls, one behind the other
     Value* frame_ = nullptr;      // of the call at hand, in `slots_`

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "base/assert.h"
 #include "parser/blocks/schemas.h"
+#include "parser/tools/camera_text.h"
 #include "parser/tools/dump_plan.h"
 #include "parser/tools/dump_surfaces.h"
 #include "parser/tools/dump_text.h"
@@ -24,15 +24,6 @@ using scene::NodeId;
 using scene::NodeKind;
 
 constexpr std::size_t kChunk = std::size_t{1} << 16;  // of what is handed to the sink at once
-
-template <class Enum, std::size_t count>
-std::string option(const std::array<std::string_view, count>& names, Enum value) {
-    return fmt::format("\"{}\"", names[static_cast<std::size_t>(value)]);
-}
-
-std::string size_text(scene::Resolution size) {
-    return fmt::format("[{}, {}]", size.width, size.height);
-}
 
 /// Adds what a light's shape has, one overload for each, and returns the name of its block.
 struct LightWriter {
@@ -122,13 +113,15 @@ class Dumper {
             animation.add("start", scene_.animation->start);
             text_ += animation.text("animation", 0) + "\n";
         }
-        for (const scene::Camera& camera : scene_.cameras) write_camera(camera);
+        for (const scene::Camera& camera : scene_.cameras) {
+            text_ += camera_text(camera, CameraDetail::all) + "\n";
+        }
     }
 
     void write_render() {
         const scene::RenderSettings& render = scene_.render;
         DumpBlock block;
-        block.add("resolution", size_text(render.resolution));
+        block.add("resolution", exact(render.resolution));
         block.add("samples", fmt::to_string(render.samples));
         block.add("max_depth", fmt::to_string(render.max_depth));
         block.add("background", exact_color(render.background));
@@ -141,24 +134,6 @@ class Dumper {
         block.add("sampler", option(schemas::kSamplers, render.sampler));
         block.add("transparent_shadows", render.transparent_shadows);
         text_ += block.text("render", 0) + "\n";
-    }
-
-    void write_camera(const scene::Camera& camera) {
-        DumpBlock block;
-        block.add("position", camera.position);
-        block.add("look_at", camera.look_at);
-        block.add("up", camera.up);
-        block.add("fov", exact_angle(camera.fov));
-        block.add("projection", option(schemas::kProjections, camera.projection));
-        block.add("height", camera.height);
-        if (camera.aperture != 0.0) block.add("aperture", camera.aperture);
-        if (camera.focus) block.add("focus", *camera.focus);
-        if (camera.resolution) block.add("resolution", size_text(*camera.resolution));
-        if (camera.samples) block.add("samples", fmt::to_string(*camera.samples));
-        if (camera.background) block.add("background", exact_color(*camera.background));
-        const std::string head =
-            camera.name.empty() ? "camera" : fmt::format("camera {}", quoted(camera.name));
-        text_ += block.text(head, 0) + "\n";
     }
 
     std::string labelled(std::string_view head, const Node& node) const {

@@ -11,11 +11,6 @@ namespace lray::parser {
 
 namespace {
 
-template <class Enum, std::size_t count>
-std::string option(const std::array<std::string_view, count>& names, Enum value) {
-    return fmt::format("\"{}\"", names[static_cast<std::size_t>(value)]);
-}
-
 std::string stops_text(const std::vector<scene::ColorStop>& stops) {
     std::string text = "[";
     for (const scene::ColorStop& stop : stops) {

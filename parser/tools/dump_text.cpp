@@ -128,6 +128,10 @@ std::string exact(DVec3 v) {
     return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
 }
 
+std::string exact(scene::Resolution size) {
+    return fmt::format("[{}, {}]", size.width, size.height);
+}
+
 std::string exact_color(Color color) {
     return fmt::format("rgb({}, {}, {})", exact(color.x), exact(color.y), exact(color.z));
 }

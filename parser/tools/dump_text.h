@@ -1,6 +1,7 @@
 // The text of a dump: numbers in their shortest exact form, and blocks in the formatter's style.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "base/transform.h"
 #include "base/vec.h"
+#include "scene/camera.h"
 
 namespace lray::parser {
 
@@ -21,12 +23,19 @@ void append_exact(std::string& text, float number);
 std::string exact(double number);
 std::string exact(float number);
 std::string exact(DVec3 v);
+std::string exact(scene::Resolution size);
 std::string exact_color(Color color);
 
 /// Returns degrees, in a short form, that are read as these radians.
 std::string exact_angle(double radians);
 
 std::string quoted(std::string_view text);
+
+/// Returns the name of an option of a property, with quotes.
+template <class Enum, std::size_t count>
+std::string option(const std::array<std::string_view, count>& names, Enum value) {
+    return quoted(names[static_cast<std::size_t>(value)]);
+}
 
 /// The items of a block, and how they are laid out.
 class DumpBlock {

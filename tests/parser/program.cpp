@@ -46,6 +46,7 @@ Ran run(std::string_view scene, parser::LoadSettings settings,
                                              result.loaded.sources, result.loaded.diagnostics);
     result.loaded.scene = std::move(loaded.scene);
     result.usage_mistakes = std::move(loaded.usage_mistakes);
+    result.params = std::move(loaded.params);
     return result;
 }
 

@@ -14,6 +14,7 @@ struct Ran {
     Loaded loaded{};
     std::string printed{};  // a line each
     std::vector<std::string> usage_mistakes{};
+    std::vector<parser::ParamValue> params{};
     std::string directory{};  // where its files were
 
     /// What was printed, then a line for each diagnostic, "E0401 1:10 message"; those that only say

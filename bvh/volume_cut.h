@@ -72,8 +72,8 @@ class VolumeCut {
         return std::move(result_);
     }
 
-    /// Returns how many levels there are until nothing is added. At most kMaxInstanceDepth trees lie
-    /// below one of the world: the sum of their depths is a small number.
+    /// Returns how many levels there are until nothing is added. No more than kMaxInstanceDepth
+    /// trees lie below one of the world: the sum of their depths is a small number.
     std::uint32_t count_levels() {
         level_counts_.reserve(trees_.prototype_count());
         for (std::uint32_t i = 0; i < trees_.prototype_count(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "base/terminal_text.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
+#include "cli/memory_limit.h"
 #include "cli/picture_names.h"
 #include "cli/run.h"
 #include "cli/stored_views.h"
@@ -88,19 +90,21 @@ gui::Program program_of(const Options& options, WindowSceneLoader& loader) {
 }
 
 std::string stats_text(const gui::WindowStats& stats) {
-    const double per_frame = stats.frames == 0 ? 0.0 : 1e3 * stats.upload_seconds / stats.frames;
+    const auto rate = [](double count, double per) { return per > 0.0 ? count / per : 0.0; };
+    const auto passes = static_cast<double>(stats.passes);
+    const auto frames = static_cast<double>(stats.frames);
     return fmt::format(
         "first picture after {:.3f} s; {} passes in {:.2f} s, {:.1f} a second; {} frames, {:.2f} "
         "ms each to upload\n",
         stats.first_picture_seconds, stats.passes, stats.pass_seconds,
-        stats.pass_seconds > 0.0 ? stats.passes / stats.pass_seconds : 0.0, stats.frames, per_frame);
+        rate(passes, stats.pass_seconds), stats.frames, rate(1e3 * stats.upload_seconds, frames));
 }
 
 std::string stats_json(const gui::WindowStats& stats) {
     JsonWriter json;
     json.begin_object();
     json.key("first_picture_seconds").decimal(stats.first_picture_seconds);
-    json.member("passes", std::uint64_t{stats.passes});
+    json.member("passes", stats.passes);
     json.key("pass_seconds").decimal(stats.pass_seconds);
     json.member("frames", stats.frames);
     json.key("upload_seconds").decimal(stats.upload_seconds);

@@ -11,6 +11,7 @@
 #include "base/diagnostic_printer.h"
 #include "cli/console.h"
 #include "cli/load_world.h"
+#include "cli/memory_limit.h"
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "cli/view.h"

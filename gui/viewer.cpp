@@ -112,11 +112,7 @@ Tick Viewer::tick(double now) {
 
     const render::SessionStatus status = session_.status();
     if (status.is_out_of_memory) state_ = ViewerState::out_of_memory;
-    if (status.change != seen_.change) {
-        seen_.passes = 0;
-        find_volumes();  // perhaps of another scene
-    }
-    pass_count_ += status.passes - seen_.passes;
+    if (status.change != seen_.change) find_volumes();  // perhaps of another scene
     if (!is_same_progress(status, seen_)) needs_redraw_ = true;
     seen_ = status;
     if (const auto rows = session_.update(frame_)) {
@@ -133,19 +129,23 @@ Tick Viewer::tick(double now) {
     Tick tick;
     const bool is_moving =
         held_.is_any_held() || mouse_.is_held() || sliders_.is_dragging() || repeated_.has_value();
-    const bool is_still = status.is_done || (status.is_paused && status.passes > 0);
     if (is_moving) {
         tick.seconds_to_next = kMovingPeriod;
-    } else if (!is_still) {
+    } else if (is_at_rest()) {
+        tick.seconds_to_next = kRestingPeriod;
+    } else {
         tick.seconds_to_next =
             std::clamp(kPeriodGrowth * (now - change_time_), kMovingPeriod, kSlowestPeriod);
-    } else {
-        tick.seconds_to_next = helper_.is_busy() ? kLoadingPeriod : kRestingPeriod;
     }
-    if (is_loading_) tick.seconds_to_next = std::min(tick.seconds_to_next, kLoadingPeriod);
+    if (is_loading_ || helper_.is_busy()) tick.seconds_to_next = std::min(tick.seconds_to_next, kLoadingPeriod);
     tick.needs_redraw = std::exchange(needs_redraw_, false);
     tick.wanted_size = std::exchange(wanted_size_, std::nullopt);
     return tick;
+}
+
+bool Viewer::is_at_rest() const {
+    const bool is_shown = seen_.change == change_;
+    return is_shown && !is_loading_ && (seen_.is_done || (seen_.is_paused && seen_.passes > 0));
 }
 
 std::optional<render::RowRange> Viewer::take_changed_rows() {

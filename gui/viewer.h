@@ -49,11 +49,19 @@ class Viewer {
     void move(DVec2 at, double now);
     void release(MouseButton button, DVec2 at, double now);
 
+    /// The window is gone.
+    void close() {
+        if (state_ == ViewerState::open) state_ = ViewerState::closed;
+    }
+
     /// To be called after each event, and when the time that the last tick named has passed.
     Tick tick(double now);
 
     ViewerState state() const { return state_; }
     bool is_loading() const { return is_loading_; }
+
+    /// True if the picture is that of all that was asked for, and nothing will change by itself.
+    bool is_at_rest() const;
     render::SessionStatus status() const { return session_.status(); }
 
     const render::Frame& frame() const { return frame_; }
@@ -61,9 +69,6 @@ class Viewer {
     std::optional<render::RowRange> take_changed_rows();
 
     Overlay overlay() const;
-
-    /// Passes over the picture, of all views, and the seconds that those took that were shown.
-    std::uint64_t pass_count() const { return pass_count_; }
 
  private:
     enum class Move : std::uint8_t { none, keys, drag, wheel, jump };
@@ -162,8 +167,8 @@ class Viewer {
     std::optional<render::RowRange> changed_rows_{};
     std::optional<scene::Resolution> wanted_size_{};
     render::SessionStatus seen_{};  // by the last tick
-    std::uint64_t pass_count_ = 0;
-    double change_time_ = 0.0;  // of the picture, as a whole
+    std::uint64_t change_ = 0;  // of the session, the last that was asked for
+    double change_time_ = 0.0;  // when that was
     double now_ = 0.0;          // of the last event
 
     render::Session session_{};

@@ -62,7 +62,7 @@ void Viewer::take(LoadedScene loaded) {
     picked_.reset();
     if (!is_load_wanted_) take_sliders(std::move(loaded.sliders));
     change_time_ = now_;
-    session_.set_scene(std::move(loaded.prepared), shown_view());
+    change_ = session_.set_scene(std::move(loaded.prepared), shown_view());
 }
 
 /// Those of the user's values that the scene has not taken are forgotten.
@@ -132,7 +132,7 @@ render::View Viewer::shown_view() const {
 void Viewer::show() {
     needs_redraw_ = true;
     change_time_ = now_;
-    session_.set_view(shown_view());
+    change_ = session_.set_view(shown_view());
 }
 
 void Viewer::show_display() {

@@ -47,6 +47,7 @@ class Window {
 
     void draw();
     void resize(int width, int height);
+    void close();
     void wake(double seconds);
     void on_timer(int generation);
     void end_because(std::string_view why) const { end_without_window_(why); }
@@ -105,8 +106,7 @@ void on_timer(int generation) {
 }
 
 void on_close() {
-    g_window->viewer().press(Key{SpecialKey::none, 'x', false}, g_window->now());
-    g_window->wake(0.0);
+    g_window->close();
 }
 
 }  // extern "C"
@@ -272,6 +272,15 @@ void Window::resize(int width, int height) {
     wake(0.0);
 }
 
+/// The window is about to go, by the user or by the end of the main loop.
+void Window::close() {
+    is_over_ = true;
+    stats_.frames = screen_->counts().frames;
+    stats_.upload_seconds = screen_->counts().seconds;
+    screen_.reset();  // while there is its context
+    viewer_.close();
+}
+
 /// Asks for a tick at that time, unless one comes before.
 void Window::wake(double seconds) {
     const double at = now() + seconds;
@@ -310,7 +319,7 @@ void Window::draw() {
     if (is_over_) return;
     if (const auto rows = viewer_.take_changed_rows()) {
         screen_->upload(viewer_.frame(), *rows);
-        if (stats_.frames++ == 0) stats_.first_picture_seconds = now();
+        if (stats_.first_picture_seconds == 0.0) stats_.first_picture_seconds = now();
     }
     screen_->draw(viewer_.frame(), size_);
     paint(viewer_.overlay(), size_);
@@ -333,8 +342,9 @@ WindowResult Window::result() const {
     }
     result.is_loading = viewer_.is_loading();
     result.stats = stats_;
-    result.stats.passes = viewer_.pass_count();
-    result.stats.upload_seconds = screen_ ? screen_->counts().seconds : 0.0;
+    const render::SessionStatus status = viewer_.status();
+    result.stats.passes = status.total_passes;
+    result.stats.pass_seconds = status.total_pass_seconds;
     return result;
 }
 

@@ -208,7 +208,8 @@ bool Session::should_stop(bool may_pause) {
 
 void Session::run_step() {
     const std::uint32_t square = job_->next_square();
-    const bool may_pause = job_->is_pass_next() && job_->pass_count() > 0;
+    const bool is_pass = job_->is_pass_next();
+    const bool may_pause = is_pass && job_->pass_count() > 0;
     const StepControl control{[&] { return should_stop(may_pause); }, cancel_,
                               Clock::time_point(Clock::duration(patience_end_))};
     StepOutcome outcome;
@@ -221,6 +222,10 @@ void Session::run_step() {
     }
     if (!outcome.is_complete) return;
     const std::lock_guard lock(mutex_);
+    if (is_pass) {
+        ++status_.total_passes;
+        status_.total_pass_seconds += outcome.seconds;
+    }
     status_.square = square;
     status_.passes = job_->pass_count();
     status_.is_done = job_->is_done();

@@ -35,6 +35,10 @@ struct SessionStatus {
     bool is_done = false;          // nothing will change by itself
     bool is_paused = false;
     bool is_out_of_memory = false;  // it shows nothing any more
+
+    // Of all views together:
+    std::uint64_t total_passes = 0;
+    double total_pass_seconds = 0.0;  // that those took, and no squares
 };
 
 /// After each change the picture is shown in squares, then in smaller ones (preview.h), then of all

@@ -45,6 +45,12 @@ void HeldKeys::release_all(double now) {
     for (Held& key : held_) let_go(key, now);
 }
 
+void HeldKeys::end_taps() {
+    for (Held& key : held_) {
+        if (!key.is_down) key = {};
+    }
+}
+
 bool HeldKeys::is_any_held() const {
     return std::ranges::any_of(held_, [](const Held& key) {
         return key.sum > 0.0 || (key.is_active && (key.is_down || key.until > key.counted));

@@ -38,6 +38,9 @@ class HeldKeys {
     /// For when the window has lost the keyboard, and with it the end of presses.
     void release_all(double now);
 
+    /// Ends taps that are still in force: the camera goes elsewhere.
+    void end_taps();
+
     /// True if a later advance() will return some motion.
     bool is_any_held() const;
 

@@ -123,12 +123,14 @@ void Viewer::act(Bound bound, double now) {
 
 void Viewer::jump_to(const scene::Camera& camera, double now) {
     begin_move(Move::jump, now);
+    held_.end_taps();
     set_camera(camera);
 }
 
 void Viewer::step_through_history(bool is_undo, double now) {
     const auto other = is_undo ? history_.undo(camera_) : history_.redo(camera_);
     last_move_ = Move::none;
+    held_.end_taps();
     if (other) return set_camera(*other);
     tell(is_undo ? "nothing to undo" : "nothing to redo", now);
 }
@@ -146,7 +148,9 @@ void Viewer::recall_view(int number, double now) {
     if (view == views_.end()) {
         return tell(fmt::format("there is no view {}; Shift+F{} stores one", number, number), now);
     }
-    jump_to(view->second, now);
+    scene::Camera camera = view->second;
+    camera.name = camera_.name;
+    jump_to(camera, now);
 }
 
 void Viewer::store_view(int number, double now) {

@@ -94,6 +94,18 @@ TEST(HeldKeys, LosingTheKeyboardEndsAllAtOnce) {
     EXPECT_TRUE(keys.advance(2.0).is_none());
 }
 
+TEST(HeldKeys, TapsEndWhereTheyAreAndHeldKeysGoOn) {
+    HeldKeys keys;
+    keys.press(Action::forward, 0.0);
+    keys.press(Action::strafe_right, 0.0);
+    keys.release(Action::strafe_right, 0.01);
+    keys.end_taps();
+    const Motion motion = keys.advance(0.08);
+    EXPECT_NEAR(motion.forward, 0.08, 1e-12);
+    EXPECT_EQ(motion.right, 0.0);
+    EXPECT_TRUE(keys.is_any_held());
+}
+
 TEST(HeldKeys, AComputerThatSleptDoesNotShootOff) {
     HeldKeys keys;
     keys.press(Action::forward, 0.0);

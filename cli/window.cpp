@@ -27,22 +27,34 @@ namespace {
 
 constexpr const char* kUseOutput = "write a picture instead: `-o image.png`";
 
-/// Saves under the next name. What is shown may have changed since the scene was loaded, so the
-/// check that no file of it is overwritten is made each time.
-gui::Outcome save(image::Image light, const image::DisplaySettings& display,
-                  const WindowSceneLoader& loader, Options options) {
+/// Opens the file that the next picture goes to, and puts its name into the options.
+std::variant<OutputFile, Failure> open_next_picture(Options& options,
+                                                    const WindowSceneLoader& loader) {
     std::string problem;
     const auto name = next_picture_name(options, problem);
-    if (!name) return {false, problem};
+    if (!name) return Failure{ExitCode::output, problem, {}};
     options.output_path = *name;
-    auto opened = open_output(options, loader.files());
+    return open_output(options, loader.files());
+}
+
+gui::Outcome save(image::Image light, const image::DisplaySettings& display,
+                  const WindowSceneLoader& loader, Options options) {
+    auto opened = open_next_picture(options, loader);
     if (const auto* failure = std::get_if<Failure>(&opened)) return {false, failure->message};
     const auto failure =
         write_picture(std::move(std::get<OutputFile>(opened)),
                       for_file(std::move(light), display, options), display.gamma, loader.info(),
                       options);
     if (failure) return {false, failure->message};
-    return {true, fmt::format("saved {}", escape_for_terminal(*name))};
+    return {true, fmt::format("saved {}", escape_for_terminal(options.output_path))};
+}
+
+/// Tells a wrong name of the output at once, not when there is a picture for it.
+std::optional<Failure> check_output(Options options, const WindowSceneLoader& loader) {
+    if (options.output_path.empty()) return std::nullopt;
+    const auto opened = open_next_picture(options, loader);
+    if (const auto* failure = std::get_if<Failure>(&opened)) return *failure;
+    return std::nullopt;
 }
 
 gui::StoredViews read_stored_views(const Options& options) {
@@ -134,6 +146,7 @@ ExitCode show_window(const Options& options) {
     WindowSceneLoader loader(options);
     gui::LoadedScene first;
     if (const auto end = loader.load_first(first)) return *end;
+    if (const auto failure = check_output(options, loader)) return report_failure(*failure);
     for (const std::string& warning : options.warnings) print_warning(warning);
 
     catch_interrupts();

@@ -82,7 +82,7 @@ std::vector<PanelLine> hud_lines(const HudState& state) {
         kFaintColor);
     std::string last = fmt::format("accel {}  shading {}", state.accel, state.shading);
     if (state.volume_level) last += fmt::format("  volumes of level {}", *state.volume_level);
-    add(last, kFaintColor);
+    add(last + "  H: help", kFaintColor);
     if (state.picked) {
         add(state.picked->name, kAccentColor);
         add(state.picked->place, kAccentColor);

@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::size_t kMaxBytesPerCharacter = 4;  // of UTF-8
 
+/// Of "scene.lrs:10:19: error[E0401]: ..." and the lines below it.
 Rgba color_of(std::string_view line) {
-    if (line.starts_with("error")) return kErrorColor;
-    if (line.starts_with("warning")) return kAccentColor;
+    if (line.find(": error[") != line.npos) return kErrorColor;
+    if (line.find(": warning[") != line.npos) return kAccentColor;
     return kTextColor;
 }
 
@@ -48,7 +49,9 @@ void add_messages(Overlay& overlay, std::string_view text, const Font& font, Win
             {fmt::format("{} more {}; see the terminal", rest, rest == 1 ? "line" : "lines"),
              kFaintColor});
     }
-    const Box panel = add_text_panel(overlay, lines, room, font);
+    const double top = std::max(room.top, room.bottom - panel_size(lines, font).y);
+    const Box panel =
+        add_text_panel(overlay, lines, {room.left, top, room.right, room.bottom}, font);
     overlay.add_rim(panel, kErrorColor);
 }
 

@@ -49,7 +49,7 @@ void add_hud(Overlay& overlay, const HudState& state, const Font& font, WindowSi
 void add_help(Overlay& overlay, const std::vector<HelpLine>& lines, const Font& font,
               WindowSize window);
 
-/// Adds the diagnostics of a scene that failed to load: a line for each of the text, never wrapped.
+/// Adds the diagnostics of a scene that failed to load, at the bottom: a line for each of the text, never wrapped.
 /// Shape: UTF-8 of any size; what is not shown costs little more than the search for line ends.
 void add_messages(Overlay& overlay, std::string_view text, const Font& font, WindowSize window);
 

@@ -97,11 +97,11 @@ Overlay Viewer::overlay() const {
     Overlay overlay;
     add_volumes(overlay);
     add_crop(overlay);
+    if (!messages_.empty()) add_messages(overlay, messages_, font_, window());
     if (shows_hud_) {
         add_hud(overlay, hud_state(), font_, window());
-        sliders_.draw(overlay);
+        sliders_.draw(overlay);  // one of them may mend what is wrong
     }
-    if (!messages_.empty()) add_messages(overlay, messages_, font_, window());
     if (shows_help_) {
         add_help(overlay, help_lines(layout_, !sliders_.is_empty()), font_, window());
     }

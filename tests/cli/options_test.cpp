@@ -287,13 +287,29 @@ TEST(Options, WrongValuesSayWhatIsTaken) {
               "`--crop` `3,0,3,4` holds no pixel: X0 must be less than X1 and Y0 less than Y1");
 }
 
-TEST(Options, WhatThisVersionLacksIsSaidWithWhatItHas) {
-    EXPECT_EQ(
-        failed({"-n", "3", "a.lrs", "-o", "a.ppm"}).message,
-        "`-n` 3 is not available in this version; `-n 1` and `-n 2` are, which write a picture");
-    const Failure window = failed({"rooms/hall.lrs"});
-    EXPECT_NE(window.message.find("not available in this version"), std::string::npos);
-    EXPECT_EQ(window.help, "lray -i rooms/hall.lrs -o hall.ppm");
+TEST(Options, TheWindowIsLevelThreeOrNoOutput) {
+    EXPECT_EQ(parsed({"a.lrs"}).mode, Mode::window);
+    EXPECT_EQ(parsed({"-n", "3", "-i", "a.lrs"}).mode, Mode::window);
+    EXPECT_EQ(parsed({"-n", "3", "a.lrs", "-o", "a.jpg"}).mode, Mode::window);
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.ppm"}).mode, Mode::render);
+    EXPECT_EQ(parsed({"-n", "2", "a.lrs", "-o", "a.ppm"}).mode, Mode::render);
+    EXPECT_EQ(parsed({"--check", "a.lrs"}).mode, Mode::check);
+}
+
+TEST(Options, TheWindowUsesBoxesAndRandomPositionsAndSavesPng) {
+    const Options window = parsed({"-n", "3", "a.lrs"});
+    EXPECT_EQ(window.accel, bvh::AccelKind::boxes);
+    EXPECT_EQ(window.position, render::PixelPosition::random);
+    EXPECT_EQ(window.format, image::Format::png);
+    EXPECT_EQ(parsed({"a.lrs", "--accel", "spheres"}).accel, bvh::AccelKind::spheres);
+    EXPECT_EQ(parsed({"-n", "3", "a.lrs", "-o", "a.jpg"}).format, image::Format::jpg);
+}
+
+TEST(Options, TheWindowShowsOneFrameAndSavesToFiles) {
+    EXPECT_EQ(failed({"a.lrs", "--frames", "1:3"}).message, "a window shows one frame");
+    EXPECT_EQ(parsed({"a.lrs", "--frame", "2"}).mode, Mode::window);
+    EXPECT_EQ(failed({"-n", "3", "a.lrs", "-o", "-"}).message, "a window cannot save to stdout");
+    EXPECT_NE(failed({"-n", "3", "a.lrs", "-o", "a.gif"}).message.find("gif"), std::string::npos);
 }
 
 TEST(Options, LevelTwoWithoutOutputShowsTheFix) {

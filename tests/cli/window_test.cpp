@@ -312,7 +312,7 @@ TEST_F(WindowTest, ViewsAreStoredInAFileAndRecalled) {
 
 TEST_F(WindowTest, ASliderEvaluatesTheSceneAnew) {
     directory_.write("scene.lrs", std::string("param count = 1 in [1, 3]\n") + kBall +
-                                      "for i in 1..<count {\n"
+                                      "for i in range(1, count) {\n"
                                       "  sphere { center: [0, 2.5 * i, 0] }\n}\n");
     open({"-ps", "2", "scene.lrs"});
     keys({"i"});
@@ -366,6 +366,18 @@ TEST_F(WindowTest, AMistakeAtTheStartIsToldWithoutAWindow) {
     const auto result = process_->wait();
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_TRUE(contains(result.err, "did you mean `radius`?")) << result.err;
+}
+
+TEST_F(WindowTest, AnOutputThatCannotBeIsToldAtTheStart) {
+    directory_.write("scene.lrs", kScene);
+    start({"-n", "3", "-i", "scene.lrs", "-o", "scene.lrs", "--format", "ppm"});
+    auto result = process_->wait();
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_TRUE(contains(result.err, "would overwrite the scene")) << result.err;
+    start({"-n", "3", "-i", "scene.lrs", "-o", "no/such/directory.png"});
+    result = process_->wait();
+    EXPECT_EQ(result.exit_code, 4) << result.err;
+    EXPECT_EQ(directory_.names(), (std::vector<std::string>{"scene.lrs"}));
 }
 
 class NoDisplay : public LrayTest {

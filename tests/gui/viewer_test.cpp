@@ -423,6 +423,23 @@ TEST_F(ViewerTest, ASlidersValueIsGivenToTheScene) {
     EXPECT_LT(std::stod(program_->params_[1].second), 1.0);
 }
 
+TEST_F(ViewerTest, AMouseOnASliderMovesItAndNotTheCamera) {
+    program_ = std::make_unique<FakeProgram>(std::string("param size = 1 in [0, 2]\n") + kScene);
+    program_->sliders_ = {{"size", 0.0, 0.0, 2.0, false, {}}};
+    open_again();
+    const scene::Camera start = camera();
+    for (double y = 8.0; y < 30.0 && !viewer_->is_loading(); y += 1.0) {  // below its name
+        viewer_->press(MouseButton::left, {150.0, y}, false, now_);
+        viewer_->move({140.0, y}, now_);
+        viewer_->release(MouseButton::left, {140.0, y}, now_);
+    }
+    EXPECT_TRUE(comes_true([&] { return load_count() >= 2 && !viewer_->is_loading(); }));
+    EXPECT_EQ(camera().position, start.position);
+    const std::lock_guard lock(program_->mutex_);
+    ASSERT_EQ(program_->params_.size(), 1u);
+    EXPECT_GT(std::stod(program_->params_[0].second), 0.0);
+}
+
 TEST_F(ViewerTest, ASceneFromStdinIsNotLoadedAgain) {
     open();
     Program program = program_->program();

@@ -143,7 +143,8 @@ TEST(DiagnosticsDocument, MessagesAreAsShown) {
 
 TEST(Documents, ScenesAreFormatted) {
     std::size_t count = 0;
-    for (const std::string document : {"README.md", "grammar.md", "docs/guide.md"}) {
+    for (const std::string document :
+         {"README.md", "grammar.md", "docs/guide.md", "docs/viewer.md"}) {
         for (const Fence& fence : fences_of(test::read_bytes(kTop + "/" + document))) {
             if (fence.info != "lrs") continue;  // some show that other layouts are read, too
             ++count;
@@ -207,7 +208,7 @@ std::vector<std::string> links_of(const std::string& document) {
 TEST(Documents, LinkToFilesThatAreThere) {
     for (const std::string document :
          {"README.md", "grammar.md", "docs/diagnostics.md", "docs/guide.md", "docs/hierarchies.md",
-          "docs/architecture.md"}) {
+          "docs/architecture.md", "docs/viewer.md"}) {
         const std::filesystem::path path = std::filesystem::path(kTop) / document;
         for (const std::string& link : links_of(test::read_bytes(path.string()))) {
             EXPECT_TRUE(std::filesystem::exists(path.parent_path() / link))

@@ -1,6 +1,7 @@
 // The panel of information.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,11 @@
 namespace lray::gui {
 
 namespace {
+
+Box room_of(WindowSize window) {
+    constexpr double kMargin = 4.0;
+    return {kMargin, kMargin, window.width - kMargin, window.height - kMargin};
+}
 
 std::string passes(std::uint64_t count) {
     return fmt::format("{} {}", count, count == 1 ? "pass" : "passes");
@@ -28,6 +34,7 @@ std::string progress(const HudState& state) {
             if (state.preview_divisor > 1) {
                 return fmt::format("preview 1/{}", state.preview_divisor);
             }
+            if (state.pass_count == 0) return "first pass";
             if (state.pass_limit) {
                 return fmt::format("pass {} of {}", state.pass_count, *state.pass_limit);
             }
@@ -106,14 +113,14 @@ std::string short_count(double count) {
 }
 
 void add_hud(Overlay& overlay, const HudState& state, const Font& font, WindowSize window) {
-    constexpr double kMargin = 4.0;
-    const Box room{kMargin, kMargin, window.width - kMargin, window.height - kMargin};
-    const Box panel = add_text_panel(overlay, hud_lines(state), room, font);
-    if (state.message.empty()) return;
-    const std::vector<PanelLine> message{{shown_text(state.message), kTextColor}};
-    const double top = room.bottom - panel_size(message, font).y;
-    if (top < panel.bottom) return;
-    add_text_panel(overlay, message, {room.left, top, room.right, room.bottom}, font);
+    add_text_panel(overlay, hud_lines(state), room_of(window), font);
+}
+
+void add_notice(Overlay& overlay, std::string_view text, const Font& font, WindowSize window) {
+    const std::vector<PanelLine> lines{{shown_text(text), kTextColor}};
+    Box room = room_of(window);
+    room.top = std::max(room.top, room.bottom - panel_size(lines, font).y);
+    add_text_panel(overlay, lines, room, font);
 }
 
 }  // namespace lray::gui

@@ -39,11 +39,13 @@ struct HudState {
     image::ToneMap tonemap = image::ToneMap::none;
     std::optional<int> volume_level{};  // of the bounding volumes that are drawn
     std::optional<PickedObject> picked{};
-    std::string message{};  // what was done last: "saved scene-001.png"
 };
 
-/// Adds the state of the render at the top left, and the message at the bottom.
+/// Adds the state of the render at the top left.
 void add_hud(Overlay& overlay, const HudState& state, const Font& font, WindowSize window);
+
+/// Adds what was done last at the bottom left: "saved scene-001.png".
+void add_notice(Overlay& overlay, std::string_view text, const Font& font, WindowSize window);
 
 /// Adds the help in the middle, in two columns where one is too high.
 void add_help(Overlay& overlay, const std::vector<HelpLine>& lines, const Font& font,

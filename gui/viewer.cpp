@@ -43,7 +43,10 @@ Viewer::~Viewer() {
 void Viewer::resize(scene::Resolution size) {
     if (size == size_) return;
     size_ = size;
-    if (crop_ && (crop_->x1 > size.width || crop_->y1 > size.height)) crop_.reset();
+    if (crop_ && (crop_->x1 > size.width || crop_->y1 > size.height)) {
+        crop_.reset();
+        tell("the part leaves the window: all of it is rendered", now_);
+    }
     crop_drawn_.reset();
     mouse_.cancel();
     sliders_.lay_out(window(), font_);
@@ -145,7 +148,7 @@ Tick Viewer::tick(double now) {
 
 bool Viewer::is_at_rest() const {
     const bool is_shown = seen_.change == change_;
-    return is_shown && !is_loading_ && (seen_.is_done || (seen_.is_paused && seen_.passes > 0));
+    return is_shown && !is_loading_ && (seen_.is_done || (seen_.is_paused && seen_.square == 1));
 }
 
 std::optional<render::RowRange> Viewer::take_changed_rows() {

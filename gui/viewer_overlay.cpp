@@ -66,7 +66,6 @@ HudState Viewer::hud_state() const {
     state.tonemap = display.tonemap;
     if (volume_level_) state.volume_level = static_cast<int>(*volume_level_);
     state.picked = picked_;
-    state.message = message_;
     return state;
 }
 
@@ -102,6 +101,7 @@ Overlay Viewer::overlay() const {
         add_hud(overlay, hud_state(), font_, window());
         sliders_.draw(overlay);  // one of them may mend what is wrong
     }
+    if (!message_.empty()) add_notice(overlay, message_, font_, window());
     if (shows_help_) {
         add_help(overlay, help_lines(layout_, !sliders_.is_empty()), font_, window());
     }

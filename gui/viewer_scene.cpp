@@ -60,7 +60,7 @@ void Viewer::take(LoadedScene loaded) {
     bounds_ = loaded.bounds;
     hierarchy_ = std::move(loaded.hierarchy);
     picked_.reset();
-    if (!is_load_wanted_) take_sliders(std::move(loaded.sliders));
+    if (program_.can_load_again && !is_load_wanted_) take_sliders(std::move(loaded.sliders));
     change_time_ = now_;
     change_ = session_.set_scene(std::move(loaded.prepared), shown_view());
 }

@@ -15,6 +15,18 @@ RenderOptions with_light(RenderOptions options, const PreparedScene& scene) {
     return options;
 }
 
+RenderOptions with_quick_rays(RenderOptions options) {
+    options.shading.max_light_samples = 1;
+    return options;
+}
+
+/// Whether what with_quick_rays() changes makes a difference.
+bool has_quick_rays(const RenderOptions& options) {
+    return options.shading.shader == shade::Shader::full &&
+           options.shading.integrator == scene::Integrator::whitted &&
+           options.lit->lights.most_samples() > 1;
+}
+
 PixelRect whole_of(const RenderOptions& options) {
     return {0, 0, options.resolution.width, options.resolution.height};
 }
@@ -75,13 +87,15 @@ struct ProgressiveJob::Step {
 
 ProgressiveJob::ProgressiveJob(const PreparedScene& scene, const View& view,
                                std::uint32_t first_square)
-    : view_(view),
+    : view_{view.camera, with_light(view.render_options, scene)},
       whole_(whole_of(view.render_options)),
       area_(view.render_options.crop.value_or(whole_)),
-      tracer_(scene.world, *scene.accel, view.camera, with_light(view.render_options, scene)),
+      tracer_(scene.world, *scene.accel, view_.camera, view_.render_options),
+      quick_tracer_(scene.world, *scene.accel, view_.camera, with_quick_rays(view_.render_options)),
+      has_quick_rays_(render::has_quick_rays(view_.render_options)),
       square_(first_square),
-      // Around a crop there are no passes, which are of single pixels.
-      last_square_(view.render_options.crop ? 1 : 2) {
+      // Passes show single pixels soon enough, but not around a crop.
+      last_square_(has_quick_rays_ || view.render_options.crop ? 1 : 2) {
     if (square_ < last_square_) square_ = 0;
     tiles_.resize(Squares{area_, kTileSize}.count());
 }
@@ -123,7 +137,7 @@ void ProgressiveJob::run_squares(Step& step) const {
         BlockWork work;
         const std::uint32_t sample = view_.render_options.samples.begin;
         work.is_cancelled =
-            !tracer_.colors_of(pixels, sample, result.light, work.rays, step.control.cancel);
+            !quick_tracer_.colors_of(pixels, sample, result.light, work.rays, step.control.cancel);
         if (!work.is_cancelled) {
             work.samples = pixels.size();
             step.show(std::move(result));

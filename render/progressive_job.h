@@ -42,6 +42,13 @@ class ProgressiveJob {
 
     bool is_done() const { return is_done_; }
 
+    /// True once no pixel stands for others any more: that much is worth while even of a view that
+    /// is not averaged.
+    bool shows_every_pixel() const { return pass_count_ > 0 || (is_pass_next() && has_quick_rays_); }
+
+    /// True if rays of squares cost less than those of passes: they take one sample of each light.
+    bool has_quick_rays() const { return has_quick_rays_; }
+
     /// True if the next step adds to the average, false if it shows squares.
     bool is_pass_next() const { return square_ == 0; }
     std::uint32_t next_square() const { return is_pass_next() ? 1 : square_; }
@@ -66,6 +73,8 @@ class ProgressiveJob {
     PixelRect whole_{};
     PixelRect area_{};  // that is averaged
     SampleTracer tracer_;
+    SampleTracer quick_tracer_;        // of squares
+    bool has_quick_rays_ = false;
     std::uint32_t square_ = 0;         // of the next step; 0: a pass
     std::uint32_t last_square_ = 2;    // of those before the passes
     std::uint32_t pass_count_ = 0;     // that are complete

@@ -119,7 +119,7 @@ void Session::run() {
 
 /// Whether the session's thread has something to do, beside changes. Called with the lock.
 bool Session::has_work() const {
-    return job_ && !job_->is_done() && !(is_paused_ && job_->pass_count() > 0);
+    return job_ && !job_->is_done() && !(is_paused_ && job_->shows_every_pixel());
 }
 
 void Session::work() {
@@ -209,14 +209,15 @@ bool Session::should_stop(bool may_pause) {
 void Session::run_step() {
     const std::uint32_t square = job_->next_square();
     const bool is_pass = job_->is_pass_next();
-    const bool may_pause = is_pass && job_->pass_count() > 0;
+    const bool may_pause = job_->shows_every_pixel();
     const StepControl control{[&] { return should_stop(may_pause); }, cancel_,
                               Clock::time_point(Clock::duration(patience_end_))};
     StepOutcome outcome;
     with_threads(view_.render_options.thread_count,
                  [&] { outcome = job_->run_step(*picture_, control); });
     patience_end_ = 0;
-    if (outcome.sample_count >= kMeasuredSamples) {
+    const bool has_usual_rays = !is_pass || !job_->has_quick_rays();  // as those of squares
+    if (has_usual_rays && outcome.sample_count >= kMeasuredSamples) {
         const double seconds = outcome.seconds / static_cast<double>(outcome.sample_count);
         seconds_per_ray_ = seconds_per_ray_ > 0.0 ? 0.5 * (seconds_per_ray_ + seconds) : seconds;
     }

@@ -41,8 +41,8 @@ struct SessionStatus {
     double total_pass_seconds = 0.0;  // that those took, and no squares
 };
 
-/// After each change the picture is shown in squares, then in smaller ones (preview.h), then of all
-/// pixels; from there on each pass adds a sample to each pixel, P = new / n + old (n - 1) / n: the
+/// After each change the picture is shown in squares, then in smaller ones (preview.h), with one
+/// sample of each light, then of all pixels; from there on each pass adds a sample to each pixel, P = new / n + old (n - 1) / n: the
 /// same samples that render() takes, so that n passes show to the bit what it makes of n samples.
 /// A change ends the step that is running, at once; but the first step after a change is given
 /// kPatience to be complete, so that there is something to see while changes go on without end.
@@ -63,7 +63,7 @@ class Session {
     /// Shows the same light in another way; nothing is rendered anew.
     void set_display(const image::DisplaySettings& display);
 
-    /// Paused, a picture of single pixels gets no more samples.
+    /// Paused, a picture of single pixels gets no more samples; that of a new view becomes one.
     void set_paused(bool is_paused);
 
     SessionStatus status() const;

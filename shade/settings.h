@@ -20,6 +20,9 @@ struct Settings {
     Color ambient{0.0f};
     std::uint32_t max_depth = 8;  // of reflections and refractions one after the other
     bool transparent_shadows = false;
+    /// No light is given more samples at a point than this, whatever it asks for: previews are
+    /// content with one.
+    std::uint32_t max_light_samples = ~std::uint32_t{0};
 };
 
 }  // namespace lray::shade

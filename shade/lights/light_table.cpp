@@ -197,4 +197,10 @@ std::optional<LightHit> LightTable::nearest_met(const Ray& ray, Interval interva
     return nearest;
 }
 
+std::uint32_t LightTable::most_samples() const {
+    std::uint32_t most = 0;
+    for (const Entry& entry : entries_) most = std::max(most, entry.sample_count);
+    return most;
+}
+
 }  // namespace lray::shade

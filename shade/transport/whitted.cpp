@@ -80,7 +80,8 @@ class DirectLight {
 
     void add_light(std::uint32_t light) {
         const LightTable& lights = context_.lit.lights;
-        const std::uint32_t most = lights.sample_count(light);
+        const std::uint32_t most =
+            std::min(lights.sample_count(light), context_.settings.max_light_samples);
         for (std::uint32_t part = 0; part < most; ++part) {
             // What kind of light it is, is asked for once for all points.
             lights.visit(light, [&](const auto& source) {

@@ -67,7 +67,6 @@ HudState full_state() {
     state.tonemap = image::ToneMap::aces;
     state.volume_level = 3;
     state.picked = PickedObject{"tower / roof", "caf\u00e9.lrs:42:3"};
-    state.message = "saved scene-001.png";
     return state;
 }
 
@@ -77,7 +76,7 @@ TEST(Hud, ShowsWhatItKnows) {
     for (const char* text :
          {"pass 12 of 64", "3.21 Mrays/s", "640 x 480", "position [0, 0, 5]", "look_at [0, 0, 0]",
           "fov 45", "boxes", "orbit", "speed 2", "exposure +0.5", "aces", "shading full",
-          "volumes of level 3", "tower / roof", "caf\xe9.lrs:42:3", "saved scene-001.png"}) {
+          "volumes of level 3", "tower / roof", "caf\xe9.lrs:42:3"}) {
         EXPECT_TRUE(has(overlay, text)) << text << " in\n" << all_text(overlay);
     }
 }
@@ -95,6 +94,8 @@ TEST(Hud, EveryStateHasItsWords) {
     state.pass_limit.reset();
     state.rays_per_second = 0.0;
     EXPECT_EQ(first_line(state), "pass 12  640 x 480");
+    state.pass_count = 0;
+    EXPECT_EQ(first_line(state), "first pass  640 x 480");
     state.state = RenderState::paused;
     state.pass_count = 1;
     EXPECT_EQ(first_line(state), "paused after 1 pass  640 x 480");
@@ -119,23 +120,25 @@ TEST(Hud, ProjectionsShowTheirOwnSize) {
     EXPECT_TRUE(has(round, "panorama"));
 }
 
-TEST(Hud, WithoutRoomTheMessageGivesWay) {
+TEST(Notice, StandsAtTheBottom) {
     Overlay overlay;
-    add_hud(overlay, full_state(), kSmall, {800, 120});
-    EXPECT_TRUE(has(overlay, "pass 12"));
-    EXPECT_FALSE(has(overlay, "saved"));
+    add_notice(overlay, "saved caf\u00e9-001.png", kSmall, kWindow);
+    const auto texts = texts_of(overlay);
+    ASSERT_EQ(texts.size(), 1u);
+    EXPECT_EQ(texts[0].text, "saved caf\xe9-001.png");
+    EXPECT_GT(texts[0].at.y, kWindow.height - 3.0 * kSmall.height);
 }
 
 TEST(Panels, FitIntoWindowsOfAnySize) {
     const auto lines = help_lines(KeyboardLayout::azerty, true);
     HudState state = full_state();
-    state.message = std::string(5000, 'm');
     state.picked->name = std::string(5000, 'n');
     for (const WindowSize window : kWindows) {
         for (const Font& font : {kSmall, kLarge}) {
             SCOPED_TRACE(::testing::Message() << window.width << " x " << window.height);
             Overlay overlay;
             add_hud(overlay, state, font, window);
+            add_notice(overlay, std::string(5000, 'm'), font, window);
             add_help(overlay, lines, font, window);
             add_messages(overlay, "error: one\n  two\n\nthree\n", font, window);
             expect_inside(overlay, font, window);

@@ -442,6 +442,7 @@ TEST_F(ViewerTest, AMouseOnASliderMovesItAndNotTheCamera) {
 
 TEST_F(ViewerTest, ASceneFromStdinIsNotLoadedAgain) {
     open();
+    program_->sliders_ = {{"size", 1.0, 0.5, 2.0, false, {}}};
     Program program = program_->program();
     program.can_load_again = false;
     viewer_ = std::make_unique<Viewer>(program_->load({}), std::move(program),
@@ -449,6 +450,7 @@ TEST_F(ViewerTest, ASceneFromStdinIsNotLoadedAgain) {
     key('r');
     EXPECT_TRUE(shows("stdin"));
     EXPECT_FALSE(viewer_->is_loading());
+    EXPECT_FALSE(shows("size")) << "a slider that does nothing";
 }
 
 TEST_F(ViewerTest, ViewsAreStoredAndRecalled) {
@@ -543,11 +545,14 @@ TEST_F(ViewerTest, PausedItStaysPausedOverMoves) {
     open();
     key(' ');
     hold(SpecialKey::up, 0.3);
-    EXPECT_TRUE(comes_true([&] { return viewer_->status().passes == 1; }));
-    std::this_thread::sleep_for(20ms);
-    viewer_->tick(now_);
+    come_to_rest();
     EXPECT_EQ(viewer_->status().passes, 1u);
     EXPECT_TRUE(viewer_->status().is_paused);
+    EXPECT_TRUE(shows("paused"));
+    key('i');
+    key('p');
+    EXPECT_TRUE(comes_true([&] { return shows("saved"); })) << "also without the information";
+    key('i');
     key(' ');
     come_to_rest();
     EXPECT_EQ(viewer_->status().passes, 4u);

@@ -13,6 +13,7 @@
 #include "base/angle.h"
 #include "image/srgb.h"
 #include "render/render.h"
+#include "tests/parser/loaded.h"
 
 namespace lray::render {
 namespace {
@@ -278,6 +279,46 @@ TEST(Session, PausedInAPassItGoesOnWithTheSameSamples) {
     session.set_paused(false);
     EXPECT_TRUE(reaches(session, [](const SessionStatus& status) { return status.is_done; }));
     EXPECT_EQ(session.light().pixels, rendered(*pattern(0.5f), view).pixels);
+}
+
+/// A ball in the light of a sky that asks for so many samples.
+std::unique_ptr<PreparedScene> lit_ball(int light_samples) {
+    test::Loaded loaded = test::load_text("environment { color: #8090a0, samples: " +
+                                          std::to_string(light_samples) +
+                                          " }\nsphere { radius: 2 }\n");
+    auto world = scene::flatten(*loaded.scene, {}, loaded.diagnostics);
+    auto scene = std::make_unique<PreparedScene>(
+        std::move(loaded.sources), std::move(*loaded.scene), std::move(*world));
+    scene->accel = bvh::build(scene->world, {});
+    scene->lit = std::make_unique<shade::LitWorld>(scene->world, *scene->accel);
+    return scene;
+}
+
+View lit_view() {
+    View view = usual_view();
+    view.camera.position = {0.0, 0.0, 8.0};
+    view.render_options.shading.shader = shade::Shader::full;
+    return view;
+}
+
+TEST(Session, SquaresTakeOneSampleOfEachLightAndPassesAll) {
+    Session session;
+    session.set_paused(true);
+    session.set_scene(lit_ball(16), lit_view());
+    EXPECT_TRUE(reaches(session, [](const SessionStatus& status) { return status.square == 1; }));
+    EXPECT_EQ(session.status().passes, 0u);
+    const auto single = lit_ball(1);
+    View view = lit_view();
+    view.render_options.samples = {0, 1};
+    view.render_options.lit = single->lit.get();
+    EXPECT_EQ(session.light().pixels, rendered(*single, view).pixels);
+
+    session.set_paused(false);
+    EXPECT_TRUE(reaches(session, [](const SessionStatus& status) { return status.is_done; }));
+    const auto reference = lit_ball(16);
+    view = lit_view();
+    view.render_options.lit = reference->lit.get();
+    EXPECT_EQ(session.light().pixels, rendered(*reference, view).pixels);
 }
 
 TEST(Session, SmallNoiseEndsIt) {

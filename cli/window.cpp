@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -78,9 +80,10 @@ gui::Outcome write_stored_views(const Options& options, const gui::StoredViews& 
 gui::Program program_of(const Options& options, WindowSceneLoader& loader) {
     const std::string title =
         options.scene_path == "-" ? "<stdin>" : escape_for_terminal(options.scene_path);
+    std::error_code ignored;
     return {
         .title = title,
-        .can_load_again = options.scene_path != "-",
+        .can_load_again = std::filesystem::is_regular_file(options.scene_path, ignored),
         .load = [&](std::span<const gui::ParamText> params) { return loader.load_again(params); },
         .save =
             [&](image::Image light, const image::DisplaySettings& display) {

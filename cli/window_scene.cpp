@@ -55,6 +55,15 @@ std::string sentences(std::span<const std::string> lines) {
     return text;
 }
 
+/// True if one of the sentences is about a param: `name` or `-D name=value`.
+bool is_named_in(std::span<const std::string> sentences, std::string_view name) {
+    const std::string alone = fmt::format("`{}`", name);
+    const std::string defined = fmt::format("`-D {}", name);
+    return std::ranges::any_of(sentences, [&](const std::string& sentence) {
+        return sentence.find(alone) != sentence.npos || sentence.starts_with(defined);
+    });
+}
+
 /// The command line with other values for some params: the last definition of a name counts.
 Options with_params(Options options, std::span<const gui::ParamText> params) {
     for (const auto& [name, value] : params) options.definitions.push_back({name, value});
@@ -125,9 +134,14 @@ std::optional<ExitCode> WindowSceneLoader::load_first(gui::LoadedScene& loaded) 
 }
 
 gui::LoadedScene WindowSceneLoader::load_again(std::span<const gui::ParamText> params) {
-    Attempt attempt = load_or_run_out_of_memory(with_params(options_, params));
-    if (!attempt.usage_mistakes.empty() && !params.empty()) {
-        attempt = load_or_run_out_of_memory(options_);
+    std::vector<gui::ParamText> kept(params.begin(), params.end());
+    Attempt attempt = load_or_run_out_of_memory(with_params(options_, kept));
+    while (!attempt.usage_mistakes.empty() && !kept.empty()) {
+        const std::size_t dropped = std::erase_if(kept, [&](const gui::ParamText& param) {
+            return is_named_in(attempt.usage_mistakes, param.first);
+        });
+        if (dropped == 0) kept.clear();
+        attempt = load_or_run_out_of_memory(with_params(options_, kept));
     }
     if (!attempt.usage_mistakes.empty()) {
         report_usage_mistakes(attempt.usage_mistakes);

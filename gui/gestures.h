@@ -46,7 +46,6 @@ class MouseGestures {
     void cancel() { held_.reset(); }
 
     bool is_held() const { return held_.has_value(); }
-    bool is_dragging() const { return held_ && held_->is_drag; }
 
  private:
     struct Held {

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cstring>
 
+#include "base/assert.h"
+
 namespace lray::gui {
 
 namespace {
@@ -63,6 +65,7 @@ void GlScreen::upload(const render::Frame& frame, render::RowRange rows) {
         set_size(frame.resolution);
         rows = {0, frame.resolution.height};
     }
+    LRAY_ASSERT(rows.end <= size_.height);
     if (!fits_) return;  // drawn from memory each time
     const std::size_t row_bytes = std::size_t{size_.width} * kBytesPerPixel;
     const std::size_t bytes = row_bytes * (rows.end - rows.begin);
@@ -87,7 +90,6 @@ void GlScreen::upload(const render::Frame& frame, render::RowRange rows) {
     if (has_buffers_) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     ++counts_.frames;
-    counts_.bytes += bytes;
     counts_.seconds += passed.count();
 }
 

@@ -11,7 +11,6 @@ namespace lray::gui {
 /// What bringing frames to OpenGL took.
 struct UploadCounts {
     std::uint64_t frames = 0;
-    std::uint64_t bytes = 0;
     double seconds = 0.0;
 };
 

@@ -18,6 +18,24 @@ constexpr double kPeriodGrowth = 0.02;  // of the time since the last change
 constexpr double kRestingPeriod = 0.1;
 constexpr double kLoadingPeriod = 0.03;
 
+/// The same part of a picture of another size.
+std::optional<render::PixelRect> scaled(const std::optional<render::PixelRect>& part,
+                                        scene::Resolution from, scene::Resolution to) {
+    if (!part || from == to) return part;
+    const auto down = [](std::uint32_t at, std::uint32_t size, std::uint32_t other) {
+        return static_cast<std::uint32_t>(std::uint64_t{at} * other / size);
+    };
+    const auto up = [&](std::uint32_t at, std::uint32_t size, std::uint32_t other) {
+        return other - down(size - at, size, other);
+    };
+    return render::PixelRect{
+        std::min(down(part->x0, from.width, to.width), to.width - 1),
+        std::min(down(part->y0, from.height, to.height), to.height - 1),
+        std::max(up(part->x1, from.width, to.width), 1u),
+        std::max(up(part->y1, from.height, to.height), 1u),
+    };
+}
+
 bool is_same_progress(const render::SessionStatus& a, const render::SessionStatus& b) {
     return a.change == b.change && a.square == b.square && a.passes == b.passes &&
            a.is_done == b.is_done && a.is_paused == b.is_paused;
@@ -26,27 +44,34 @@ bool is_same_progress(const render::SessionStatus& a, const render::SessionStatu
 }  // namespace
 
 Viewer::Viewer(LoadedScene first, Program program, KeyboardLayout layout, const Font& font,
-               double now)
-    : program_(std::move(program)), layout_(layout), font_(font), change_time_(now), now_(now) {
-    size_ = first.view.render_options.resolution;
-    crop_ = first.view.render_options.crop;
+               scene::Resolution size, double now)
+    : program_(std::move(program)),
+      layout_(layout),
+      font_(font),
+      size_(size),
+      change_time_(now),
+      now_(now) {
+    crop_ = scaled(first.view.render_options.crop, first.view.render_options.resolution, size);
     camera_ = first.view.camera;
     scene_view_ = first.view;
     views_ = program_.read_views();
     take(std::move(first));
+    if (!watch_.problem().empty()) tell(watch_.problem(), now);
 }
 
 Viewer::~Viewer() {
-    session_.cancel_pick();
+    finish();
+}
+
+void Viewer::finish() {
+    session_.cancel_picks();
+    saver_.finish();
 }
 
 void Viewer::resize(scene::Resolution size) {
     if (size == size_) return;
+    crop_ = scaled(crop_, size_, size);
     size_ = size;
-    if (crop_ && (crop_->x1 > size.width || crop_->y1 > size.height)) {
-        crop_.reset();
-        tell("the part leaves the window: all of it is rendered", now_);
-    }
     crop_drawn_.reset();
     mouse_.cancel();
     sliders_.lay_out(window(), font_);
@@ -71,6 +96,11 @@ void Viewer::release(const Key& key, double now) {
     now_ = now;
     const Action action = movement_of(key, layout_);
     if (is_movement(action)) held_.release(action, now);
+    repeated_.reset();
+}
+
+void Viewer::release_all_keys(double now) {
+    held_.release_all(now);
     repeated_.reset();
 }
 
@@ -106,21 +136,24 @@ void Viewer::release(MouseButton button, DVec2 at, double now) {
 Tick Viewer::tick(double now) {
     now_ = now;
     loader_.poll();
-    helper_.poll();
-    if (program_.is_interrupted()) state_ = ViewerState::interrupted;
+    picker_.poll();
+    saver_.poll();
+    if (program_.is_interrupted()) end(ViewerState::interrupted);
     if (watch_.poll(now)) load();
     repeat_actions(now);
     const Motion motion = held_.advance(now);
     if (!motion.is_none()) fly(motion, now);
 
     const render::SessionStatus status = session_.status();
-    if (status.is_out_of_memory) state_ = ViewerState::out_of_memory;
-    if (status.change != seen_.change) find_volumes();  // perhaps of another scene
+    if (status.is_out_of_memory) end(ViewerState::out_of_memory);
+    if (status.scene != seen_.scene) find_volumes();
     if (!is_same_progress(status, seen_)) needs_redraw_ = true;
     seen_ = status;
+    const scene::Resolution size_before = frame_.resolution;
     if (const auto rows = session_.update(frame_)) {
         needs_redraw_ = true;
-        if (!changed_rows_) changed_rows_ = rows;
+        // Rows that nobody has drawn yet may be of a frame of another size.
+        if (!changed_rows_ || frame_.resolution != size_before) changed_rows_ = rows;
         changed_rows_->begin = std::min(changed_rows_->begin, rows->begin);
         changed_rows_->end = std::max(changed_rows_->end, rows->end);
     }
@@ -140,15 +173,15 @@ Tick Viewer::tick(double now) {
         tick.seconds_to_next =
             std::clamp(kPeriodGrowth * (now - change_time_), kMovingPeriod, kSlowestPeriod);
     }
-    if (is_loading_ || helper_.is_busy()) tick.seconds_to_next = std::min(tick.seconds_to_next, kLoadingPeriod);
+    const bool is_busy = is_loading_ || picker_.is_busy() || saver_.is_busy();
+    if (is_busy) tick.seconds_to_next = std::min(tick.seconds_to_next, kLoadingPeriod);
     tick.needs_redraw = std::exchange(needs_redraw_, false);
     tick.wanted_size = std::exchange(wanted_size_, std::nullopt);
     return tick;
 }
 
 bool Viewer::is_at_rest() const {
-    const bool is_shown = seen_.change == change_;
-    return is_shown && !is_loading_ && (seen_.is_done || (seen_.is_paused && seen_.square == 1));
+    return seen_.change == change_ && seen_.is_idle && !is_loading_;
 }
 
 std::optional<render::RowRange> Viewer::take_changed_rows() {

@@ -34,24 +34,27 @@ enum class ViewerState : std::uint8_t { open, closed, interrupted, out_of_memory
 /// Times are seconds from any begin. Positions are pixels of the window from its top left.
 class Viewer {
  public:
-    Viewer(LoadedScene first, Program program, KeyboardLayout layout, const Font& font, double now);
+    /// `size` is that of the window to come.
+    Viewer(LoadedScene first, Program program, KeyboardLayout layout, const Font& font,
+           scene::Resolution size, double now);
     ~Viewer();
 
-    /// The size that the scene asks for.
-    scene::Resolution wanted_size() const { return scene_view_.render_options.resolution; }
+    /// Ends what may be ended, and waits for pictures that are still to be saved.
+    void finish();
 
     void resize(scene::Resolution size);
     void press(const Key& key, double now);
     void release(const Key& key, double now);
-    void release_all_keys(double now) { held_.release_all(now); }
-    bool has_held_keys() const { return held_.is_any_held(); }
+    /// For when the window has lost the keyboard.
+    void release_all_keys(double now);
+    bool has_held_keys() const { return held_.is_any_held() || repeated_.has_value(); }
     void press(MouseButton button, DVec2 at, bool is_shift, double now);
     void move(DVec2 at, double now);
     void release(MouseButton button, DVec2 at, double now);
 
-    /// The window is gone.
-    void close() {
-        if (state_ == ViewerState::open) state_ = ViewerState::closed;
+    /// The window is gone, or cannot go on.
+    void end(ViewerState state) {
+        if (state_ == ViewerState::open) state_ = state;
     }
 
     /// To be called after each event, and when the time that the last tick named has passed.
@@ -81,6 +84,7 @@ class Viewer {
     void recall_view(int number, double now);
     void store_view(int number, double now);
     void pick(DVec2 at);
+    void show_pick(const std::optional<render::Pick>& found);
     void save();
     void apply(const Gesture& gesture, double now);
     void repeat_actions(double now);
@@ -100,6 +104,7 @@ class Viewer {
     render::View shown_view() const;
     image::DisplaySettings shown_display() const;
     void show();
+    void show_crop();
     void show_display();
     shade::Shader shader() const;
 
@@ -168,11 +173,13 @@ class Viewer {
     std::optional<scene::Resolution> wanted_size_{};
     render::SessionStatus seen_{};  // by the last tick
     std::uint64_t change_ = 0;  // of the session, the last that was asked for
+    std::uint64_t loads_ = 0;   // scenes that were shown
     double change_time_ = 0.0;  // when that was
     double now_ = 0.0;          // of the last event
 
     render::Session session_{};
-    Worker helper_{};  // picks and saves
+    Worker picker_{};
+    Worker saver_{};
     Worker loader_{};  // the last: it must end first
 };
 

@@ -105,8 +105,7 @@ void Viewer::act(Bound bound, double now) {
             shows_help_ = !shows_help_;
             return;
         case Action::quit:
-            state_ = ViewerState::closed;
-            return;
+            return end(ViewerState::closed);
         case Action::previous_slider:
             return sliders_.select_previous();
         case Action::next_slider:
@@ -212,40 +211,44 @@ void Viewer::apply(const Gesture& gesture, double now) {
         case GestureKind::crop_chosen:
             crop_drawn_.reset();
             crop_ = touched_pixels(gesture.from, gesture.at, size_);
-            return show();
+            return show_crop();
         case GestureKind::crop_cleared:
             crop_drawn_.reset();
             needs_redraw_ = true;
             if (!crop_) return;
             crop_.reset();
-            return show();
+            return show_crop();
     }
     LRAY_ASSERT(false);
 }
 
 void Viewer::pick(DVec2 at) {
-    const DVec2 position = at + DVec2{0.5};
-    session_.cancel_pick();
-    helper_.start([this, position]() -> Worker::Completion {
-        auto found = session_.pick(position);
-        return [this, found = std::move(found)] {
-            needs_redraw_ = true;
-            picked_.reset();
-            if (!found) return;
-            const std::string placed =
-                found->placed_at.empty() ? "" : fmt::format(", placed at {}", found->placed_at);
-            picked_ = PickedObject{found->name, found->place + placed};
-            program_.print(fmt::format("{}: {}{}", found->place, found->name, placed));
+    session_.cancel_picks();  // of earlier clicks
+    const auto job = [this, at, ticket = session_.pick_ticket(), load = loads_] {
+        const render::PickResult result = session_.pick(at + DVec2{0.5}, ticket);
+        return [this, result, load] {
+            if (!result.is_cancelled && load == loads_) show_pick(result.found);
         };
-    });
+    };
+    picker_.start(job, [this] { tell("there is not enough memory to look it up", now_); });
+}
+
+void Viewer::show_pick(const std::optional<render::Pick>& found) {
+    needs_redraw_ = true;
+    picked_.reset();
+    if (!found) return;
+    const std::string placed =
+        found->placed_at.empty() ? "" : fmt::format(", placed at {}", found->placed_at);
+    picked_ = PickedObject{found->name, found->place + placed};
+    program_.print(fmt::format("{}: {}{}", found->place, found->name, placed));
 }
 
 void Viewer::save() {
-    const image::DisplaySettings display = shown_display();
-    helper_.start([this, display]() -> Worker::Completion {
-        Outcome outcome = program_.save(session_.light(), display);
-        return [this, outcome = std::move(outcome)] { tell(outcome.sentence, now_); };
-    });
+    const auto job = [this, display = shown_display()] {
+        const Outcome outcome = program_.save(session_.light(), display);
+        return [this, outcome] { tell(outcome.sentence, now_); };
+    };
+    saver_.start(job, [this] { tell("there is not enough memory to save the picture", now_); });
 }
 
 /// Shows the cut through the hierarchy one level deeper or higher; before the first and behind the

@@ -28,13 +28,19 @@ void Viewer::load() {
     is_load_wanted_ = false;
     is_loading_ = true;
     needs_redraw_ = true;
-    loader_.start([this, params = params_]() -> Worker::Completion {
+    const auto end_loading = [this] {
+        is_loading_ = false;
+        take(std::exchange(loaded_, {}));
+        if (is_load_wanted_) load();
+    };
+    const auto job = [this, end_loading, params = params_] {
         loaded_ = program_.load(params);
-        return [this] {
-            is_loading_ = false;
-            take(std::exchange(loaded_, {}));
-            if (is_load_wanted_) load();
-        };
+        return end_loading;
+    };
+    loader_.start(job, [this, end_loading] {
+        loaded_ = {};
+        loaded_.messages = "there is not enough memory to load the scene\n";
+        end_loading();
     });
 }
 
@@ -60,6 +66,8 @@ void Viewer::take(LoadedScene loaded) {
     bounds_ = loaded.bounds;
     hierarchy_ = std::move(loaded.hierarchy);
     picked_.reset();
+    ++loads_;
+    session_.cancel_picks();
     if (program_.can_load_again && !is_load_wanted_) take_sliders(std::move(loaded.sliders));
     change_time_ = now_;
     change_ = session_.set_scene(std::move(loaded.prepared), shown_view());
@@ -135,7 +143,15 @@ void Viewer::show() {
     change_ = session_.set_view(shown_view());
 }
 
+void Viewer::show_crop() {
+    needs_redraw_ = true;
+    change_time_ = now_;
+    change_ = session_.set_crop(crop_);
+}
+
+/// Noise is that of what is shown: another display needs other samples.
 void Viewer::show_display() {
+    if (scene_view_.render_options.limits.noise) return show();
     needs_redraw_ = true;
     session_.set_display(shown_display());
 }

@@ -11,7 +11,9 @@
 #include <cstdarg>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -33,13 +35,14 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 class Window {
  public:
     Window(LoadedScene first, Program program, Clock::time_point start)
-        : display_(XDisplay::open()),
-          end_without_window_(program.end_without_window),
+        : end_without_window_(program.end_without_window),
+          display_(XDisplay::open()),
           title_(program.title),
           start_(start),
+          size_(size_on_screen(first.view.render_options.resolution)),
           viewer_(std::move(first), std::move(program),
                   display_ ? display_->keyboard_layout() : KeyboardLayout::qwerty, kOverlayFont,
-                  now()) {}
+                  size_, now()) {}
 
     void open();
     void run();
@@ -62,13 +65,13 @@ class Window {
     scene::Resolution size_on_screen(scene::Resolution wanted) const;
     void tick();
 
-    std::unique_ptr<XDisplay> display_;
     std::function<void(std::string_view)> end_without_window_;
+    std::unique_ptr<XDisplay> display_;  // whose end may need the one before
     std::string title_;
     Clock::time_point start_;
+    scene::Resolution size_{1, 1};
     Viewer viewer_;
     std::optional<GlScreen> screen_{};
-    scene::Resolution size_{1, 1};
     int generation_ = 0;     // of the timer that counts; those before it are outdated
     double due_ = kNever;    // when it rings
     double next_key_check_ = 0.0;
@@ -78,6 +81,18 @@ class Window {
 
 // GLUT's callbacks reach nothing but globals.
 Window* g_window = nullptr;
+
+/// Calls what a callback does: nothing thrown may pass through GLUT.
+template <class Work>
+void guarded(const Work& work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    }
+    g_window->viewer().end(ViewerState::out_of_memory);
+    glutLeaveMainLoop();
+}
 
 std::string formatted(const char* format, va_list arguments) {
     std::array<char, 512> text{};
@@ -94,15 +109,15 @@ void on_glut_error(const char* format, va_list arguments) {
 void on_glut_warning(const char*, va_list) {}
 
 void on_draw() {
-    g_window->draw();
+    guarded([] { g_window->draw(); });
 }
 
 void on_resize(int width, int height) {
-    g_window->resize(width, height);
+    guarded([&] { g_window->resize(width, height); });
 }
 
 void on_timer(int generation) {
-    g_window->on_timer(generation);
+    guarded([&] { g_window->on_timer(generation); });
 }
 
 void on_close() {
@@ -171,12 +186,12 @@ std::optional<MouseButton> button_of(int button) {
 
 void press(const Key& key) {
     if (is_control_down()) return;
-    g_window->viewer().press(key, g_window->now());
+    guarded([&] { g_window->viewer().press(key, g_window->now()); });
     g_window->wake(0.0);
 }
 
 void release(const Key& key) {
-    g_window->viewer().release(key, g_window->now());
+    guarded([&] { g_window->viewer().release(key, g_window->now()); });
     g_window->wake(0.0);
 }
 
@@ -205,17 +220,19 @@ void on_special_key_up(int key, int, int) {
 void on_button(int button, int state, int x, int y) {
     const auto which = button_of(button);
     if (!which) return;
-    Viewer& viewer = g_window->viewer();
-    if (state == GLUT_DOWN) {
-        viewer.press(*which, {x, y}, is_shift_down(), g_window->now());
-    } else {
-        viewer.release(*which, {x, y}, g_window->now());
-    }
+    guarded([&] {
+        Viewer& viewer = g_window->viewer();
+        if (state == GLUT_DOWN) {
+            viewer.press(*which, {x, y}, is_shift_down(), g_window->now());
+        } else {
+            viewer.release(*which, {x, y}, g_window->now());
+        }
+    });
     g_window->wake(0.0);
 }
 
 void on_mouse(int x, int y) {
-    g_window->viewer().move({x, y}, g_window->now());
+    guarded([&] { g_window->viewer().move({x, y}, g_window->now()); });
     g_window->wake(0.0);
 }
 
@@ -231,7 +248,6 @@ void Window::open() {
     glutInit(&count, arguments.data());
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
     glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE);
-    size_ = size_on_screen(viewer_.wanted_size());
     glutInitWindowSize(static_cast<int>(size_.width), static_cast<int>(size_.height));
     glutCreateWindow((title_ + " - lray").c_str());
     if (glGetString(GL_VERSION) == nullptr) end_because("the display has no OpenGL");
@@ -278,7 +294,7 @@ void Window::close() {
     stats_.frames = screen_->counts().frames;
     stats_.upload_seconds = screen_->counts().seconds;
     screen_.reset();  // while there is its context
-    viewer_.close();
+    viewer_.end(ViewerState::closed);
 }
 
 /// Asks for a tick at that time, unless one comes before.
@@ -359,6 +375,7 @@ WindowResult show_window(LoadedScene first, Program program, Clock::time_point s
     g_window = window.get();
     window->open();
     window->run();
+    window->viewer().finish();
     const WindowResult result = window->result();
     // Its loader cannot be told to stop, and would be waited for.
     if (result.is_loading) window.release();  // NOLINT(bugprone-unused-return-value)

@@ -1,5 +1,7 @@
 #include "gui/worker.h"
 
+#include <new>
+#include <stdexcept>
 #include <utility>
 
 namespace lray::gui {
@@ -15,12 +17,17 @@ Worker::~Worker() {
     thread_.join();
 }
 
-void Worker::start(Job job) {
+void Worker::start(Job job, Completion without_memory) {
     {
         const std::lock_guard lock(mutex_);
-        jobs_.push_back(std::move(job));
+        tasks_.push_back({std::move(job), std::move(without_memory)});
     }
     wake_.notify_all();
+}
+
+void Worker::finish() {
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [&] { return !is_running_ && tasks_.empty(); });
 }
 
 void Worker::poll() {
@@ -36,22 +43,32 @@ void Worker::poll() {
 
 bool Worker::is_busy() const {
     const std::lock_guard lock(mutex_);
-    return is_running_ || !jobs_.empty() || !completions_.empty();
+    return is_running_ || !tasks_.empty() || !completions_.empty();
+}
+
+Worker::Completion Worker::completion_of(const Task& task) {
+    try {
+        return task.job();
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    }
+    return task.without_memory;
 }
 
 void Worker::run() {
     for (;;) {
-        Job job;
+        Task task;
         {
             std::unique_lock lock(mutex_);
             is_running_ = false;
-            wake_.wait(lock, [&] { return is_ending_ || !jobs_.empty(); });
+            done_.notify_all();
+            wake_.wait(lock, [&] { return is_ending_ || !tasks_.empty(); });
             if (is_ending_) return;
-            job = std::move(jobs_.front());
-            jobs_.pop_front();
+            task = std::move(tasks_.front());
+            tasks_.pop_front();
             is_running_ = true;
         }
-        Completion complete = job();
+        Completion complete = completion_of(task);
         const std::lock_guard lock(mutex_);
         completions_.push_back(std::move(complete));
     }

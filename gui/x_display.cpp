@@ -58,7 +58,9 @@ scene::Resolution XDisplay::screen_size() const {
 }
 
 KeyboardLayout XDisplay::keyboard_layout() const {
-    const KeySym symbol = XkbKeycodeToKeysym(of(display_), kPlaceOfQ, 0, 0);
+    XkbStateRec state{};
+    XkbGetState(of(display_), XkbUseCoreKbd, &state);
+    const KeySym symbol = XkbKeycodeToKeysym(of(display_), kPlaceOfQ, state.group, 0);
     return symbol == XK_a ? KeyboardLayout::azerty : KeyboardLayout::qwerty;
 }
 

@@ -15,20 +15,16 @@ RenderOptions with_light(RenderOptions options, const PreparedScene& scene) {
     return options;
 }
 
-RenderOptions with_quick_rays(RenderOptions options) {
-    options.shading.max_light_samples = 1;
-    return options;
-}
-
-/// Whether what with_quick_rays() changes makes a difference.
+/// Whether it makes a difference that squares take one sample of each light.
 bool has_quick_rays(const RenderOptions& options) {
     return options.shading.shader == shade::Shader::full &&
            options.shading.integrator == scene::Integrator::whitted &&
            options.lit->lights.most_samples() > 1;
 }
 
-PixelRect whole_of(const RenderOptions& options) {
-    return {0, 0, options.resolution.width, options.resolution.height};
+/// The side of a tile of squares, in squares: there must be enough tiles for all threads.
+std::uint32_t tile_of_squares(std::uint32_t square) {
+    return square > kBlockSize ? kBlockSize / 2 : kBlockSize;
 }
 
 std::uint64_t all_rays(const RayCounts& counts) {
@@ -86,18 +82,17 @@ struct ProgressiveJob::Step {
 };
 
 ProgressiveJob::ProgressiveJob(const PreparedScene& scene, const View& view,
-                               std::uint32_t first_square)
+                               std::uint32_t first_square, const std::atomic<bool>& cancel)
     : view_{view.camera, with_light(view.render_options, scene)},
-      whole_(whole_of(view.render_options)),
-      area_(view.render_options.crop.value_or(whole_)),
-      tracer_(scene.world, *scene.accel, view_.camera, view_.render_options),
-      quick_tracer_(scene.world, *scene.accel, view_.camera, with_quick_rays(view_.render_options)),
+      tracer_(scene.world, *scene.accel, view_.camera, view_.render_options, cancel),
+      quick_tracer_(tracer_),
       has_quick_rays_(render::has_quick_rays(view_.render_options)),
       square_(first_square),
       // Passes show single pixels soon enough, but not around a crop.
       last_square_(has_quick_rays_ || view.render_options.crop ? 1 : 2) {
+    quick_tracer_.limit_light_samples(1);
     if (square_ < last_square_) square_ = 0;
-    tiles_.resize(Squares{area_, kTileSize}.count());
+    tiles_.resize(Squares{view_.area(), kTileSize}.count());
 }
 
 StepOutcome ProgressiveJob::run_step(LivePicture& picture, const StepControl& control) {
@@ -111,14 +106,16 @@ StepOutcome ProgressiveJob::run_step(LivePicture& picture, const StepControl& co
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     const bool is_complete = !step.is_stopped && !step.work.is_cancelled;
-    if (!step.work.is_cancelled) step.show_kept_back();
+    // What came of a step that took too long is shown all the same: there may be no better one.
+    const bool is_late = std::chrono::steady_clock::now() >= control.show_from;
+    if (!step.work.is_cancelled || is_late) step.show_kept_back();
     if (is_pass_next()) {
         pass_seconds_ += passed.count();
         finished_pixels_ += step.work.finished_pixels;
         const SampleLimits& limits = view_.render_options.limits;
         if (is_complete) {
             ++pass_count_;
-            is_done_ = pass_count_ == pass_limit() || finished_pixels_ == area_.pixel_count() ||
+            is_done_ = pass_count_ == pass_limit() || finished_pixels_ == view_.area().pixel_count() ||
                        (limits.seconds && pass_seconds_ >= *limits.seconds);
         }
     } else if (is_complete) {
@@ -128,7 +125,7 @@ StepOutcome ProgressiveJob::run_step(LivePicture& picture, const StepControl& co
 }
 
 void ProgressiveJob::run_squares(Step& step) const {
-    const Squares tiles{whole_, kTileSize * square_};
+    const Squares tiles{view_.whole(), tile_of_squares(square_) * square_};
     for_each_tile(tiles.count(), [&](std::uint64_t i) {
         if (step.should_stop()) return;
         const PixelRect part = tiles.at(i);
@@ -150,7 +147,7 @@ void ProgressiveJob::run_pass(Step& step) {
     const RenderOptions& options = view_.render_options;
     const BlockSettings settings{tracer_, options.samples, options.limits.noise,
                                  image::Display(options.display), step.control.cancel};
-    const Squares tiles{area_, kTileSize};
+    const Squares tiles{view_.area(), kTileSize};
     const std::uint32_t end = options.samples.begin + pass_count_ + 1;
     for_each_tile(tiles.count(), [&](std::uint64_t i) {
         if (step.should_stop()) return;

@@ -37,14 +37,18 @@ struct StepOutcome {
 
 class ProgressiveJob {
  public:
-    /// Begins with squares of that side, a power of two. The scene must outlive it.
-    ProgressiveJob(const PreparedScene& scene, const View& view, std::uint32_t first_square);
+    /// Begins with squares of that side, a power of two; 0: with the first pass. The scene must
+    /// outlive it. Once `cancel` is set it is of no use.
+    ProgressiveJob(const PreparedScene& scene, const View& view, std::uint32_t first_square,
+                   const std::atomic<bool>& cancel);
 
     bool is_done() const { return is_done_; }
 
     /// True once no pixel stands for others any more: that much is worth while even of a view that
     /// is not averaged.
-    bool shows_every_pixel() const { return pass_count_ > 0 || (is_pass_next() && has_quick_rays_); }
+    bool shows_every_pixel() const {
+        return pass_count_ > 0 || (is_pass_next() && has_quick_rays_);
+    }
 
     /// True if rays of squares cost less than those of passes: they take one sample of each light.
     bool has_quick_rays() const { return has_quick_rays_; }
@@ -70,8 +74,6 @@ class ProgressiveJob {
     void run_pass(Step& step);
 
     View view_{};
-    PixelRect whole_{};
-    PixelRect area_{};  // that is averaged
     SampleTracer tracer_;
     SampleTracer quick_tracer_;        // of squares
     bool has_quick_rays_ = false;

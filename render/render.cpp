@@ -139,7 +139,7 @@ RenderResult render(const scene::World& world, const bvh::Accel& accel, const sc
     LRAY_ASSERT(area.x0 < area.x1 && area.x1 <= width && area.y0 < area.y1 && area.y1 <= height);
     const SampleRange samples = options.samples;
     LRAY_ASSERT(samples.begin < samples.end && samples.count() <= Film::kMaxSamples);
-    const SampleTracer tracer(world, accel, camera, options);
+    const SampleTracer tracer(world, accel, camera, options, cancel);
     const RenderProgress total{.total_samples = area.pixel_count() * samples.count(),
                                .total_pixels = area.pixel_count(),
                                .limits = options.limits};

@@ -41,7 +41,8 @@ struct SampleTracer::Batch {
 };
 
 SampleTracer::SampleTracer(const scene::World& world, const bvh::Accel& accel,
-                           const scene::Camera& camera, const RenderOptions& options)
+                           const scene::Camera& camera, const RenderOptions& options,
+                           const std::atomic<bool>& cancel)
     : accel_(accel),
       rays_(camera, options.resolution),
       options_(options),
@@ -51,7 +52,7 @@ SampleTracer::SampleTracer(const scene::World& world, const bvh::Accel& accel,
     options_.batch_size = std::min(options.batch_size, kMaxBatchSize);
     if (options_.shading.shader == shade::Shader::full) {
         LRAY_ASSERT(options_.lit != nullptr);
-        bvh::TraceCounts cost;
+        bvh::TraceCounts cost{.cancel = &cancel};
         camera_media_ = shade::media_at(*options_.lit, Vec3{camera.position}, cost);
     }
 }

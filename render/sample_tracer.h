@@ -29,8 +29,14 @@ struct FilmPlace {
 /// hierarchy must outlive it.
 class SampleTracer {
  public:
+    /// Traces already: once `cancel` is set it is of no use.
     SampleTracer(const scene::World& world, const bvh::Accel& accel, const scene::Camera& camera,
-                 const RenderOptions& options);
+                 const RenderOptions& options, const std::atomic<bool>& cancel);
+
+    /// From now on no light is given more samples at a point (shade::Settings).
+    void limit_light_samples(std::uint32_t count) {
+        options_.shading.max_light_samples = count;
+    }
 
     /// Adds samples of some pixels of a part of the full picture to a film of its size, one of each
     /// pixel after the other, and their cost to `counts`. Returns how many it added: fewer than all

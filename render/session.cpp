@@ -12,7 +12,7 @@ namespace lray::render {
 
 namespace {
 
-constexpr std::uint64_t kMeasuredSamples = 256;  // fewer do not tell how fast rays are
+constexpr std::uint64_t kMeasuredSamples = 64;  // fewer do not tell how fast rays are
 
 }  // namespace
 
@@ -30,24 +30,32 @@ Session::~Session() {
 
 std::uint64_t Session::set_scene(std::unique_ptr<const PreparedScene> scene, const View& view) {
     LRAY_ASSERT(scene != nullptr);
-    return request({std::move(scene), view});
+    return ask([&] {
+        asked_.scene.swap(scene);  // one that nobody has seen ends without the lock
+        asked_.view = view;
+        asked_.needs_squares = true;
+    });
 }
 
 std::uint64_t Session::set_view(const View& view) {
-    return request({nullptr, view});
+    return ask([&] {
+        asked_.view = view;
+        asked_.needs_squares = true;
+    });
 }
 
-std::uint64_t Session::request(Change change) {
-    std::unique_ptr<const PreparedScene> outdated;  // that nobody has seen: ends without the lock
+std::uint64_t Session::set_crop(const std::optional<PixelRect>& crop) {
+    return ask([&] { asked_.view.render_options.crop = crop; });
+}
+
+/// Edits what is asked for, and sees to it that it is taken up.
+template <class Edit>
+std::uint64_t Session::ask(const Edit& edit) {
     std::uint64_t number = 0;
     {
         const std::lock_guard lock(mutex_);
-        if (change.scene) {
-            outdated = std::move(asked_.scene);
-            asked_.scene = std::move(change.scene);
-        }
-        asked_.view = std::move(change.view);
-        display_ = asked_.view->render_options.display;
+        edit();
+        display_ = asked_.view.render_options.display;
         number = ++asked_number_;
         is_change_asked_ = true;
     }
@@ -60,6 +68,7 @@ void Session::set_display(const image::DisplaySettings& display) {
     {
         const std::lock_guard lock(mutex_);
         display_ = display;
+        asked_.view.render_options.display = display;
     }
     const std::lock_guard lock(picture_mutex_);
     if (picture_) picture_->set_display(display);
@@ -90,14 +99,27 @@ image::Image Session::light() const {
     return picture_ ? picture_->light(area_) : image::Image{};
 }
 
-std::optional<Pick> Session::pick(DVec2 position_pixel) {
+PickResult Session::pick(DVec2 position_pixel, PickTicket ticket) {
     const std::lock_guard one_at_a_time(pick_mutex_);
-    cancel_pick_ = false;
-    if (is_scene_leaving_) return std::nullopt;  // from here on it is cancelled if that happens
+    {
+        const std::lock_guard lock(mutex_);
+        if (ticket <= cancelled_ticket_ || is_scene_leaving_) return {.is_cancelled = true};
+        cancel_pick_ = false;  // from here on it is set by whoever cancels
+    }
     const std::shared_lock lock(scene_mutex_);
-    if (!scene_) return std::nullopt;
-    return render::pick(scene_->scene, scene_->world, *scene_->accel, scene_->sources, view_.camera,
-                        view_.render_options.resolution, position_pixel, cancel_pick_);
+    if (!scene_) return {};
+    PickResult result;
+    result.found = render::pick(scene_->scene, scene_->world, *scene_->accel, scene_->sources,
+                                view_.camera, view_.render_options.resolution, position_pixel,
+                                cancel_pick_);
+    result.is_cancelled = cancel_pick_;
+    return result;
+}
+
+void Session::cancel_picks() {
+    const std::lock_guard lock(mutex_);
+    cancelled_ticket_ = last_ticket_;
+    cancel_pick_ = true;
 }
 
 BoundingVolumes Session::volumes(std::uint32_t level, std::size_t max_count) const {
@@ -124,14 +146,17 @@ bool Session::has_work() const {
 
 void Session::work() {
     for (;;) {
-        Change change;
+        std::optional<Change> change;
         std::uint64_t number = 0;
         {
             std::unique_lock lock(mutex_);
+            status_.is_idle = !is_change_asked_ && !has_work();
             wake_.wait(lock, [&] { return is_ending_ || is_change_asked_ || has_work(); });
             if (is_ending_) return;
+            status_.is_idle = false;
             if (is_change_asked_) {
-                change = std::exchange(asked_, {});
+                change = Change{std::move(asked_.scene), asked_.view,
+                                std::exchange(asked_.needs_squares, false)};
                 number = asked_number_;
                 is_change_asked_ = false;
                 cancel_ = false;
@@ -139,7 +164,7 @@ void Session::work() {
                 patience_end_ = end.time_since_epoch().count();
             }
         }
-        if (number != 0) apply(std::move(change), number);
+        if (change) apply(std::move(*change), number);
         run_step();
     }
 }
@@ -147,22 +172,16 @@ void Session::work() {
 void Session::apply(Change change, std::uint64_t number) {
     job_.reset();
     std::unique_ptr<const PreparedScene> outdated;
+    if (change.scene) outdated = replace_scene(std::move(change.scene));
+    LRAY_ASSERT(scene_ != nullptr);
     {
-        is_scene_leaving_ = true;
-        cancel_pick_ = true;
         const std::unique_lock lock(scene_mutex_);
-        is_scene_leaving_ = false;
-        if (change.scene) outdated = std::exchange(scene_, std::move(change.scene));
-        LRAY_ASSERT(scene_ != nullptr && change.view);
-        view_ = std::move(*change.view);
+        view_ = std::move(change.view);
     }
     show_picture();
-    const RenderOptions& options = view_.render_options;
-    const std::uint64_t pixel_count =
-        std::uint64_t{options.resolution.width} * options.resolution.height;
-    if (outdated) seconds_per_ray_ = 0.0;
-    job_ = std::make_unique<ProgressiveJob>(*scene_, view_,
-                                            first_square(seconds_per_ray_, pixel_count));
+    std::uint32_t square = 0;
+    if (change.needs_squares) square = first_square(seconds_per_ray_, view_.whole().pixel_count());
+    job_ = std::make_unique<ProgressiveJob>(*scene_, view_, square, cancel_);
     const std::lock_guard lock(mutex_);
     status_.change = number;
     status_.square = 0;
@@ -171,26 +190,43 @@ void Session::apply(Change change, std::uint64_t number) {
     status_.is_done = false;
 }
 
-/// Sees to it that there is a picture of the view's size, shown as it was asked for last.
-void Session::show_picture() {
-    image::DisplaySettings display;
+/// Picks look at the old scene no more, nor at the new one with a view of the old.
+std::unique_ptr<const PreparedScene> Session::replace_scene(
+    std::unique_ptr<const PreparedScene> scene) {
     {
         const std::lock_guard lock(mutex_);
-        display = display_;
+        is_scene_leaving_ = true;
+        cancelled_ticket_ = last_ticket_;
+        cancel_pick_ = true;
+        ++status_.scene;
     }
-    const RenderOptions& options = view_.render_options;
+    {
+        const std::unique_lock lock(scene_mutex_);
+        scene_.swap(scene);
+    }
+    const std::lock_guard lock(mutex_);
+    is_scene_leaving_ = false;
+    seconds_per_ray_ = 0.0;
+    return scene;
+}
+
+/// Sees to it that there is a picture of the view's size, shown as it was asked for last.
+void Session::show_picture() {
+    const scene::Resolution resolution = view_.render_options.resolution;
     std::unique_ptr<LivePicture> other;
-    if (!picture_ || picture_->resolution() != options.resolution) {
-        other = std::make_unique<LivePicture>(options.resolution, display, picture_.get());
+    if (!picture_ || picture_->resolution() != resolution) {
+        other = std::make_unique<LivePicture>(resolution, view_.render_options.display,
+                                              picture_.get());
     }
     const std::lock_guard lock(picture_mutex_);
-    if (other) {
-        picture_.swap(other);
-    } else {
-        picture_->set_display(display);
-    }
-    area_ = options.crop.value_or(
-        PixelRect{0, 0, options.resolution.width, options.resolution.height});
+    if (other) picture_.swap(other);
+    picture_->set_display(display());  // which may be newer than the view
+    area_ = view_.area();
+}
+
+image::DisplaySettings Session::display() const {
+    const std::lock_guard lock(mutex_);
+    return display_;
 }
 
 /// Cancels what runs once a change waits for it, unless it is given time.

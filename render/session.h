@@ -32,13 +32,22 @@ struct SessionStatus {
     std::uint32_t passes = 0;      // over all pixels, that are averaged
     std::uint32_t pass_limit = 0;  // then it is done
     double rays_per_second = 0.0;  // of the last step, of all kinds
-    bool is_done = false;          // nothing will change by itself
+    std::uint64_t scene = 0;       // how many scenes there were, with that which is shown
+    bool is_done = false;          // it has all its samples
     bool is_paused = false;
+    bool is_idle = true;           // nothing will change by itself
     bool is_out_of_memory = false;  // it shows nothing any more
 
     // Of all views together:
     std::uint64_t total_passes = 0;
     double total_pass_seconds = 0.0;  // that those took, and no squares
+};
+
+using PickTicket = std::uint64_t;
+
+struct PickResult {
+    bool is_cancelled = false;
+    std::optional<Pick> found{};  // empty if nothing is there
 };
 
 /// After each change the picture is shown in squares, then in smaller ones (preview.h), with one
@@ -60,6 +69,10 @@ class Session {
     std::uint64_t set_scene(std::unique_ptr<const PreparedScene> scene, const View& view);
     std::uint64_t set_view(const View& view);
 
+    /// Averages another part of the same view; what is around it stays as it is. There must be a
+    /// scene.
+    std::uint64_t set_crop(const std::optional<PixelRect>& crop);
+
     /// Shows the same light in another way; nothing is rendered anew.
     void set_display(const image::DisplaySettings& display);
 
@@ -75,12 +88,14 @@ class Session {
     /// Returns the light shown, of the crop if there is one.
     image::Image light() const;
 
-    /// Returns what the view that is worked on shows at a position of the full picture; empty if
-    /// that is nothing, or once it is cancelled. Waits for its ray, which may take long.
-    std::optional<Pick> pick(DVec2 position_pixel);
+    /// Returns what the view that is worked on shows at a position of the full picture. Waits for
+    /// its ray, which may take long, and for picks of other threads.
+    /// Shape: each ticket is from a call of its own.
+    PickResult pick(DVec2 position_pixel, PickTicket ticket);
+    PickTicket pick_ticket() { return ++last_ticket_; }
 
-    /// Ends a pick of another thread.
-    void cancel_pick() { cancel_pick_ = true; }
+    /// Ends all picks whose tickets were given so far.
+    void cancel_picks();
 
     /// Returns the cut through the hierarchy of the scene that is worked on (bvh::Accel::volumes());
     /// none without a scene.
@@ -89,15 +104,20 @@ class Session {
  private:
     struct Change {
         std::unique_ptr<const PreparedScene> scene{};
-        std::optional<View> view{};
+        View view{};
+        bool needs_squares = false;  // more than the crop is another
     };
     using Clock = std::chrono::steady_clock;
 
-    std::uint64_t request(Change change);
+    template <class Edit>
+    std::uint64_t ask(const Edit& edit);
     void run();
     void work();
     void apply(Change change, std::uint64_t number);
+    std::unique_ptr<const PreparedScene> replace_scene(
+        std::unique_ptr<const PreparedScene> scene);
     void show_picture();
+    image::DisplaySettings display() const;
     bool has_work() const;
     void end_outdated_step();
     bool should_stop(bool may_pause);
@@ -106,8 +126,8 @@ class Session {
     // What is asked for, and what is told of it: guarded by mutex_.
     mutable std::mutex mutex_;
     std::condition_variable wake_;
-    Change asked_{};
-    std::uint64_t asked_number_ = 0;
+    Change asked_{};                  // its view is that of the last change
+    std::uint64_t asked_number_ = 0;  // of the last change
     image::DisplaySettings display_{};
     bool is_ending_ = false;
     SessionStatus status_{};
@@ -118,9 +138,11 @@ class Session {
     std::atomic<bool> is_paused_{false};
     std::atomic<Clock::rep> patience_end_{0};  // until then no change ends the step
 
-    std::mutex pick_mutex_;  // one at a time
+    std::mutex pick_mutex_;                     // one at a time
+    std::atomic<PickTicket> last_ticket_{0};    // that was given
+    PickTicket cancelled_ticket_ = 0;           // and all before: guarded by mutex_
+    bool is_scene_leaving_ = false;             // likewise
     std::atomic<bool> cancel_pick_{false};
-    std::atomic<bool> is_scene_leaving_{false};
 
     // Written by the session's thread alone, under the lock; it reads without.
     mutable std::shared_mutex scene_mutex_;

@@ -12,11 +12,17 @@ struct View {
     scene::Camera camera{};
     RenderOptions render_options{};
 
+    /// The full picture.
+    PixelRect whole() const {
+        return {0, 0, render_options.resolution.width, render_options.resolution.height};
+    }
+
+    /// What is rendered of it: the crop, if there is one.
+    PixelRect area() const { return render_options.crop.value_or(whole()); }
+
     /// Of the crop, if there is one.
     std::uint64_t pixel_count() const {
-        const auto [width, height] = render_options.resolution;
-        const std::uint64_t all = std::uint64_t{width} * height;
-        return render_options.crop ? render_options.crop->pixel_count() : all;
+        return area().pixel_count();
     }
 
     /// From the camera; with limits, at least.

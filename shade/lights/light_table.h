@@ -57,10 +57,10 @@ class LightTable {
     std::uint32_t sample_count(std::uint32_t light) const { return entries_[light].sample_count; }
 
     /// True if sample() depends on u.
-    /// The most that any of them asks for; 0 without lights.
-    std::uint32_t most_samples() const;
-
     bool has_extent(std::uint32_t light) const { return entries_[light].has_extent; }
+
+    /// Returns the most samples that any of them asks for; 0 without lights.
+    std::uint32_t most_samples() const;
 
     /// Returns visit(source) of the light itself, which is of one of the classes that it may be.
     template <class Visit>

@@ -61,7 +61,7 @@ Media media_at(const LitWorld& lit, Vec3 position, bvh::TraceCounts& counts) {
     std::vector<std::uint32_t> entered;  // on the way
     for (int crossing = 0; crossing < kMaxCrossings; ++crossing) {
         const bvh::Hit hit = lit.accel.nearest_hit(ray, interval, counts);
-        if (hit.is_none()) break;
+        if (hit.is_none() || counts.is_ended) break;
         interval.lo = hit.t;
         const std::uint32_t material = scene::material_at(lit.world, hit.place, hit.primitive_id);
         if (lit.materials.average(material).transmit == Color{0.0f}) continue;

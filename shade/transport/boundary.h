@@ -22,7 +22,8 @@ struct Boundary {
 /// sides: of what the ray is in, and of what it gets into.
 Boundary boundary_at(const LitWorld& lit, const TransportRay& ray, const ShadingPoint& point);
 
-/// Returns the media around a point, found by following a ray from it out of everything.
+/// Returns the media around a point, found by following a ray from it out of everything. Where the
+/// counts say that it has ended, they mean nothing.
 Media media_at(const LitWorld& lit, Vec3 position, bvh::TraceCounts& counts);
 
 }  // namespace lray::shade

@@ -15,8 +15,7 @@ LoadedWorld load_world(const Options& options, Stopwatch& watch, StageTimes& tim
                                  loaded.sources, loaded.diagnostics);
     times.load += watch.lap();
     if (loaded.result.scene) {
-        loaded.world =
-            scene::flatten(loaded.scene(), options.flatten_limits, loaded.diagnostics);
+        loaded.world = scene::flatten(loaded.scene(), options.flatten_limits, loaded.diagnostics);
     }
     if (loaded.world) {
         scene::lint(loaded.scene(), *loaded.world, {options.size, expects_light(options)},

@@ -43,8 +43,8 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
 
     catch_interrupts();
     if (const auto interrupted = interrupt_exit_code()) return *interrupted;  // between frames
-    auto opened =
-        open_output(options, loaded.files.files_read());  // before the work: a wrong name is told at once
+    auto opened = open_output(
+        options, loaded.files.files_read());  // before the work: a wrong name is told at once
     if (const auto* failure = std::get_if<Failure>(&opened)) return report_failure(*failure);
 
     watch.lap();

@@ -33,7 +33,8 @@ std::string keep(Options& options, std::string_view text) {
 using Value = std::string_view;
 
 constexpr std::array kPictureOptions{
-    OptionSpec{"n", "LEVEL", "1: one ray per pixel, no hierarchy; 2: random rays, bounding spheres; 3: a window",
+    OptionSpec{"n", "LEVEL",
+               "1: one ray per pixel, no hierarchy; 2: random rays, bounding spheres; 3: a window",
                store_level},
     OptionSpec{"i", "FILE", "the scene; - is stdin; -i may be left out",
                [](Options& o, Value v) { return store_path(o.scene_path, v); }},

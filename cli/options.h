@@ -20,7 +20,17 @@
 
 namespace lray::cli {
 
-enum class Mode : std::uint8_t { render, window, check, format, dump, deps, explain, help, version };
+enum class Mode : std::uint8_t {
+    render,
+    window,
+    check,
+    format,
+    dump,
+    deps,
+    explain,
+    help,
+    version
+};
 enum class ColorMode : std::uint8_t { automatic, always, never };
 
 enum class DiagnosticsFormat : std::uint8_t { text, json, sarif };

@@ -70,8 +70,8 @@ ExitCode save_partial_picture(const render::RenderResult& result, const View& vi
     std::string error;
     auto output = OutputFile::open(path, error);
     std::optional<Failure> failure =
-        output ? write_picture(std::move(*output), result.image,
-                               view.render_options.display.gamma, metadata, options)
+        output ? write_picture(std::move(*output), result.image, view.render_options.display.gamma,
+                               metadata, options)
                : output_failure(error);
     if (failure) {
         report_failure(*failure);

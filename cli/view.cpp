@@ -59,7 +59,8 @@ std::optional<Failure> check_size(const View& view, const Options& options) {
 }
 
 /// Which samples of each pixel: the command line over the camera over the render block. The centre
-/// of a pixel is one place; what ends a render earlier leaves the number open, and so does a window.
+/// of a pixel is one place; what ends a render earlier leaves the number open, and so does a
+/// window.
 render::SampleRange samples_of(const scene::Scene& scene, const scene::Camera* camera,
                                const Options& options) {
     if (options.position == render::PixelPosition::center) return {0, 1};

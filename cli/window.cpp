@@ -43,10 +43,9 @@ gui::Outcome save(image::Image light, const image::DisplaySettings& display,
                   const WindowSceneLoader& loader, Options options) {
     auto opened = open_next_picture(options, loader);
     if (const auto* failure = std::get_if<Failure>(&opened)) return {false, failure->message};
-    const auto failure =
-        write_picture(std::move(std::get<OutputFile>(opened)),
-                      for_file(std::move(light), display, options), display.gamma, loader.info(),
-                      options);
+    const auto failure = write_picture(std::move(std::get<OutputFile>(opened)),
+                                       for_file(std::move(light), display, options), display.gamma,
+                                       loader.info(), options);
     if (failure) return {false, failure->message};
     return {true, fmt::format("saved {}", escape_for_terminal(options.output_path))};
 }
@@ -97,7 +96,8 @@ gui::Program program_of(const Options& options, WindowSceneLoader& loader) {
         .is_interrupted = [] { return stop_requested().load(); },
         .end_without_window =
             [](std::string_view why) {
-                const ExitCode code = report_failure({ExitCode::window, std::string(why), kUseOutput});
+                const ExitCode code =
+                    report_failure({ExitCode::window, std::string(why), kUseOutput});
                 std::fflush(nullptr);
                 std::_Exit(static_cast<int>(code));
             },

@@ -83,8 +83,8 @@ WindowSceneLoader::Attempt WindowSceneLoader::load(const Options& options) {
                         read.files.files_missed().end());
     attempt.usage_mistakes = std::move(read.result.usage_mistakes);
     if (!attempt.usage_mistakes.empty()) return attempt;
-    loaded.messages = format_diagnostics(
-        read.diagnostics, read.sources, {.max_errors = options.max_errors.value_or(0)});
+    loaded.messages = format_diagnostics(read.diagnostics, read.sources,
+                                         {.max_errors = options.max_errors.value_or(0)});
     attempt.end = report_.print(read.diagnostics, read.sources, options);
     if (attempt.end) return attempt;
 

@@ -94,9 +94,9 @@ constexpr bool is_movement(Action action) {
 
 /// True if it is done again and again while the key is held.
 constexpr bool repeats(Action action) {
-    return action == Action::faster || action == Action::slower ||
-           action == Action::exposure_up || action == Action::exposure_down ||
-           action == Action::slider_down || action == Action::slider_up;
+    return action == Action::faster || action == Action::slower || action == Action::exposure_up ||
+           action == Action::exposure_down || action == Action::slider_down ||
+           action == Action::slider_up;
 }
 
 struct Bound {

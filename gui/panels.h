@@ -51,8 +51,9 @@ void add_notice(Overlay& overlay, std::string_view text, const Font& font, Windo
 void add_help(Overlay& overlay, const std::vector<HelpLine>& lines, const Font& font,
               WindowSize window);
 
-/// Adds the diagnostics of a scene that failed to load, at the bottom: a line for each of the text, never wrapped.
-/// Shape: UTF-8 of any size; what is not shown costs little more than the search for line ends.
+/// Adds the diagnostics of a scene that failed to load, at the bottom: a line for each of the text,
+/// never wrapped. Shape: UTF-8 of any size; what is not shown costs little more than the search for
+/// line ends.
 void add_messages(Overlay& overlay, std::string_view text, const Font& font, WindowSize window);
 
 /// "3.2 M" and the like: three digits at most, and a letter for thousands, millions, billions.

@@ -134,8 +134,8 @@ class Viewer {
     scene::Camera camera_{};
     scene::Resolution size_{};
     std::optional<render::PixelRect> crop_{};
-    std::size_t shading_ = 0;  // index into shadings()
-    double exposure_ = 0.0;    // in stops, beside that of the scene
+    std::size_t shading_ = 0;                  // index into shadings()
+    double exposure_ = 0.0;                    // in stops, beside that of the scene
     std::optional<image::ToneMap> tonemap_{};  // in place of that of the scene
     bool is_flying_ = false;
     double speed_ = 1.0;
@@ -172,10 +172,10 @@ class Viewer {
     std::optional<render::RowRange> changed_rows_{};
     std::optional<scene::Resolution> wanted_size_{};
     render::SessionStatus seen_{};  // by the last tick
-    std::uint64_t change_ = 0;  // of the session, the last that was asked for
-    std::uint64_t loads_ = 0;   // scenes that were shown
-    double change_time_ = 0.0;  // when that was
-    double now_ = 0.0;          // of the last event
+    std::uint64_t change_ = 0;      // of the session, the last that was asked for
+    std::uint64_t loads_ = 0;       // scenes that were shown
+    double change_time_ = 0.0;      // when that was
+    double now_ = 0.0;              // of the last event
 
     render::Session session_{};
     Worker picker_{};

@@ -15,12 +15,12 @@ namespace lray::gui {
 
 namespace {
 
-constexpr double kTurnSpeed = std::numbers::pi / 3.0;    // radians a second
-constexpr double kDragTurn = std::numbers::pi;           // radians over the window's height
-constexpr double kWheelFactor = 0.85;                    // of the distance, for each notch
-constexpr double kWheelPause = 0.5;                      // seconds between two moves of the wheel
-constexpr double kExposureStep = 0.5;                    // stops
-constexpr double kMaxExposure = 32.0;                    // stops, either way
+constexpr double kTurnSpeed = std::numbers::pi / 3.0;  // radians a second
+constexpr double kDragTurn = std::numbers::pi;         // radians over the window's height
+constexpr double kWheelFactor = 0.85;                  // of the distance, for each notch
+constexpr double kWheelPause = 0.5;                    // seconds between two moves of the wheel
+constexpr double kExposureStep = 0.5;                  // stops
+constexpr double kMaxExposure = 32.0;                  // stops, either way
 constexpr double kLeastSpeed = 1.0 / 1024.0;
 constexpr double kGreatestSpeed = 1024.0;
 constexpr double kMessageSeconds = 4.0;
@@ -59,8 +59,8 @@ void Viewer::act(Bound bound, double now) {
             return tell(fmt::format("speed {}", speed_), now);
         case Action::orbit_or_fly:
             is_flying_ = !is_flying_;
-            return tell(is_flying_ ? "fly: dragging looks around" : "orbit: dragging turns the scene",
-                        now);
+            return tell(
+                is_flying_ ? "fly: dragging looks around" : "orbit: dragging turns the scene", now);
         case Action::frame_all:
             return jump_to(render::framed(camera_, bounds_, size_), now);
         case Action::scene_camera:
@@ -137,8 +137,7 @@ void Viewer::step_through_history(bool is_undo, double now) {
 void Viewer::use_next_tone_map() {
     const image::ToneMap used = tonemap_.value_or(scene_view_.render_options.display.tonemap);
     const auto at = std::find(kToneMaps.begin(), kToneMaps.end(), used);
-    tonemap_ =
-        kToneMaps[static_cast<std::size_t>(at - kToneMaps.begin() + 1) % kToneMaps.size()];
+    tonemap_ = kToneMaps[static_cast<std::size_t>(at - kToneMaps.begin() + 1) % kToneMaps.size()];
     show_display();
 }
 
@@ -257,7 +256,8 @@ void Viewer::show_volumes(int step, double now) {
     const std::uint32_t count = session_.volumes(0, 1).level_count;
     if (count == 0) return tell("there is no hierarchy to show", now);
     const int last = static_cast<int>(std::min(count, 1000u)) - 1;
-    const int before = volume_level_ ? static_cast<int>(*volume_level_) : (step > 0 ? -1 : last + 1);
+    const int before =
+        volume_level_ ? static_cast<int>(*volume_level_) : (step > 0 ? -1 : last + 1);
     const int level = before + step;
     volume_level_.reset();
     if (level >= 0 && level <= last) volume_level_ = static_cast<std::uint32_t>(level);

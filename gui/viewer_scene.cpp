@@ -93,9 +93,9 @@ void Viewer::use_sliders() {
         const std::string text = value_text(slider);
         if (slider_texts_[slider.name] == text) continue;
         slider_texts_[slider.name] = text;
-        const auto known = std::find_if(params_.begin(), params_.end(), [&](const ParamText& param) {
-            return param.first == slider.name;
-        });
+        const auto known =
+            std::find_if(params_.begin(), params_.end(),
+                         [&](const ParamText& param) { return param.first == slider.name; });
         if (known == params_.end()) {
             params_.emplace_back(slider.name, text);
         } else {

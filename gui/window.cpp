@@ -28,8 +28,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLargestShare = 0.9;        // of the screen, that a new window takes
-constexpr double kKeyCheckSeconds = 0.1;     // between two looks at whether any key is down
+constexpr double kLargestShare = 0.9;     // of the screen, that a new window takes
+constexpr double kKeyCheckSeconds = 0.1;  // between two looks at whether any key is down
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Window {
@@ -72,8 +72,8 @@ class Window {
     scene::Resolution size_{1, 1};
     Viewer viewer_;
     std::optional<GlScreen> screen_{};
-    int generation_ = 0;     // of the timer that counts; those before it are outdated
-    double due_ = kNever;    // when it rings
+    int generation_ = 0;   // of the timer that counts; those before it are outdated
+    double due_ = kNever;  // when it rings
     double next_key_check_ = 0.0;
     bool is_over_ = false;
     WindowStats stats_{};
@@ -273,8 +273,8 @@ void Window::run() {
 scene::Resolution Window::size_on_screen(scene::Resolution wanted) const {
     if (!display_) return wanted;
     const auto [width, height] = display_->screen_size();
-    const double shrink = std::min({1.0, kLargestShare * width / wanted.width,
-                                    kLargestShare * height / wanted.height});
+    const double shrink = std::min(
+        {1.0, kLargestShare * width / wanted.width, kLargestShare * height / wanted.height});
     const auto shrunk = [&](std::uint32_t pixels) {
         return std::max(static_cast<std::uint32_t>(std::lround(shrink * pixels)), 1u);
     };

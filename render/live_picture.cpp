@@ -65,7 +65,8 @@ void LivePicture::show_band(std::size_t index, const image::DisplaySettings& set
     for (std::uint32_t y = rect.y0; y < rect.y1; ++y) encode(display, y, rect.x0, rect.x1);
 }
 
-void LivePicture::encode(const image::Display& display, std::uint32_t y, std::uint32_t x0, std::uint32_t x1) {
+void LivePicture::encode(const image::Display& display, std::uint32_t y, std::uint32_t x0,
+                         std::uint32_t x1) {
     std::array<Color, kPixelsAtATime> shown;
     std::array<std::uint8_t, 3 * kPixelsAtATime> codes;
     for (std::uint32_t x = x0; x < x1; x += kPixelsAtATime) {

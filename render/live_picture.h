@@ -14,7 +14,8 @@
 
 namespace lray::render {
 
-/// A copy of what a screen shows. Shape: 4 bytes for each pixel, R G B 255, row by row from the top.
+/// A copy of what a screen shows. Shape: 4 bytes for each pixel, R G B 255, row by row from the
+/// top.
 struct Frame {
     scene::Resolution resolution{0, 0};
     std::vector<std::uint8_t> bytes{};

@@ -16,8 +16,8 @@ std::vector<FilmPlace> middles_of_squares(const PixelRect& part, std::uint32_t s
     std::vector<FilmPlace> middles;
     for (std::uint32_t y = part.y0; y < part.y1; y += square) {
         for (std::uint32_t x = part.x0; x < part.x1; x += square) {
-            middles.push_back({x + std::min(square, part.x1 - x) / 2,
-                               y + std::min(square, part.y1 - y) / 2});
+            middles.push_back(
+                {x + std::min(square, part.x1 - x) / 2, y + std::min(square, part.y1 - y) / 2});
         }
     }
     return middles;

@@ -115,7 +115,8 @@ StepOutcome ProgressiveJob::run_step(LivePicture& picture, const StepControl& co
         const SampleLimits& limits = view_.render_options.limits;
         if (is_complete) {
             ++pass_count_;
-            is_done_ = pass_count_ == pass_limit() || finished_pixels_ == view_.area().pixel_count() ||
+            is_done_ = pass_count_ == pass_limit() ||
+                       finished_pixels_ == view_.area().pixel_count() ||
                        (limits.seconds && pass_seconds_ >= *limits.seconds);
         }
     } else if (is_complete) {

@@ -75,12 +75,12 @@ class ProgressiveJob {
 
     View view_{};
     SampleTracer tracer_;
-    SampleTracer quick_tracer_;        // of squares
+    SampleTracer quick_tracer_;  // of squares
     bool has_quick_rays_ = false;
-    std::uint32_t square_ = 0;         // of the next step; 0: a pass
-    std::uint32_t last_square_ = 2;    // of those before the passes
-    std::uint32_t pass_count_ = 0;     // that are complete
-    double pass_seconds_ = 0.0;        // that they took
+    std::uint32_t square_ = 0;       // of the next step; 0: a pass
+    std::uint32_t last_square_ = 2;  // of those before the passes
+    std::uint32_t pass_count_ = 0;   // that are complete
+    double pass_seconds_ = 0.0;      // that they took
     std::uint64_t finished_pixels_ = 0;
     bool is_done_ = false;
     std::vector<Tile> tiles_{};  // empty until they are reached

@@ -34,9 +34,7 @@ class SampleTracer {
                  const RenderOptions& options, const std::atomic<bool>& cancel);
 
     /// From now on no light is given more samples at a point (shade::Settings).
-    void limit_light_samples(std::uint32_t count) {
-        options_.shading.max_light_samples = count;
-    }
+    void limit_light_samples(std::uint32_t count) { options_.shading.max_light_samples = count; }
 
     /// Adds samples of some pixels of a part of the full picture to a film of its size, one of each
     /// pixel after the other, and their cost to `counts`. Returns how many it added: fewer than all

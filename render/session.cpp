@@ -79,6 +79,7 @@ void Session::set_paused(bool is_paused) {
         const std::lock_guard lock(mutex_);
         is_paused_ = is_paused;
         status_.is_paused = is_paused;
+        status_.is_idle = false;  // until the session's thread has looked
     }
     wake_.notify_all();
 }
@@ -109,9 +110,9 @@ PickResult Session::pick(DVec2 position_pixel, PickTicket ticket) {
     const std::shared_lock lock(scene_mutex_);
     if (!scene_) return {};
     PickResult result;
-    result.found = render::pick(scene_->scene, scene_->world, *scene_->accel, scene_->sources,
-                                view_.camera, view_.render_options.resolution, position_pixel,
-                                cancel_pick_);
+    result.found =
+        render::pick(scene_->scene, scene_->world, *scene_->accel, scene_->sources, view_.camera,
+                     view_.render_options.resolution, position_pixel, cancel_pick_);
     result.is_cancelled = cancel_pick_;
     return result;
 }
@@ -150,10 +151,11 @@ void Session::work() {
         std::uint64_t number = 0;
         {
             std::unique_lock lock(mutex_);
-            status_.is_idle = !is_change_asked_ && !has_work();
-            wake_.wait(lock, [&] { return is_ending_ || is_change_asked_ || has_work(); });
+            wake_.wait(lock, [&] {
+                status_.is_idle = !is_change_asked_ && !has_work();
+                return is_ending_ || !status_.is_idle;
+            });
             if (is_ending_) return;
-            status_.is_idle = false;
             if (is_change_asked_) {
                 change = Change{std::move(asked_.scene), asked_.view,
                                 std::exchange(asked_.needs_squares, false)};
@@ -215,8 +217,8 @@ void Session::show_picture() {
     const scene::Resolution resolution = view_.render_options.resolution;
     std::unique_ptr<LivePicture> other;
     if (!picture_ || picture_->resolution() != resolution) {
-        other = std::make_unique<LivePicture>(resolution, view_.render_options.display,
-                                              picture_.get());
+        other =
+            std::make_unique<LivePicture>(resolution, view_.render_options.display, picture_.get());
     }
     const std::lock_guard lock(picture_mutex_);
     if (other) picture_.swap(other);

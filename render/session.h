@@ -35,7 +35,7 @@ struct SessionStatus {
     std::uint64_t scene = 0;       // how many scenes there were, with that which is shown
     bool is_done = false;          // it has all its samples
     bool is_paused = false;
-    bool is_idle = true;           // nothing will change by itself
+    bool is_idle = true;            // nothing will change by itself
     bool is_out_of_memory = false;  // it shows nothing any more
 
     // Of all views together:
@@ -51,11 +51,12 @@ struct PickResult {
 };
 
 /// After each change the picture is shown in squares, then in smaller ones (preview.h), with one
-/// sample of each light, then of all pixels; from there on each pass adds a sample to each pixel, P = new / n + old (n - 1) / n: the
-/// same samples that render() takes, so that n passes show to the bit what it makes of n samples.
-/// A change ends the step that is running, at once; but the first step after a change is given
-/// kPatience to be complete, so that there is something to see while changes go on without end.
-/// All functions may be called by any thread, and none waits for rendering.
+/// sample of each light, then of all pixels; from there on each pass adds a sample to each pixel, P
+/// = new / n + old (n - 1) / n: the same samples that render() takes, so that n passes show to the
+/// bit what it makes of n samples. A change ends the step that is running, at once; but the first
+/// step after a change is given kPatience to be complete, so that there is something to see while
+/// changes go on without end. All functions may be called by any thread, and none waits for
+/// rendering.
 class Session {
  public:
     static constexpr std::chrono::milliseconds kPatience{100};
@@ -97,8 +98,8 @@ class Session {
     /// Ends all picks whose tickets were given so far.
     void cancel_picks();
 
-    /// Returns the cut through the hierarchy of the scene that is worked on (bvh::Accel::volumes());
-    /// none without a scene.
+    /// Returns the cut through the hierarchy of the scene that is worked on
+    /// (bvh::Accel::volumes()); none without a scene.
     BoundingVolumes volumes(std::uint32_t level, std::size_t max_count) const;
 
  private:
@@ -114,8 +115,7 @@ class Session {
     void run();
     void work();
     void apply(Change change, std::uint64_t number);
-    std::unique_ptr<const PreparedScene> replace_scene(
-        std::unique_ptr<const PreparedScene> scene);
+    std::unique_ptr<const PreparedScene> replace_scene(std::unique_ptr<const PreparedScene> scene);
     void show_picture();
     image::DisplaySettings display() const;
     bool has_work() const;
@@ -138,10 +138,10 @@ class Session {
     std::atomic<bool> is_paused_{false};
     std::atomic<Clock::rep> patience_end_{0};  // until then no change ends the step
 
-    std::mutex pick_mutex_;                     // one at a time
-    std::atomic<PickTicket> last_ticket_{0};    // that was given
-    PickTicket cancelled_ticket_ = 0;           // and all before: guarded by mutex_
-    bool is_scene_leaving_ = false;             // likewise
+    std::mutex pick_mutex_;                   // one at a time
+    std::atomic<PickTicket> last_ticket_{0};  // that was given
+    PickTicket cancelled_ticket_ = 0;         // and all before: guarded by mutex_
+    bool is_scene_leaving_ = false;           // likewise
     std::atomic<bool> cancel_pick_{false};
 
     // Written by the session's thread alone, under the lock; it reads without.

@@ -21,9 +21,7 @@ struct View {
     PixelRect area() const { return render_options.crop.value_or(whole()); }
 
     /// Of the crop, if there is one.
-    std::uint64_t pixel_count() const {
-        return area().pixel_count();
-    }
+    std::uint64_t pixel_count() const { return area().pixel_count(); }
 
     /// From the camera; with limits, at least.
     std::uint64_t ray_count() const {

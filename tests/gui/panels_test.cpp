@@ -170,7 +170,8 @@ TEST(Help, LowWindowsHaveTwoColumnsWithAllLines) {
 
 TEST(Messages, ShowsEachLineInItsColour) {
     Overlay overlay;
-    add_messages(overlay, "a: error[E1]: caf\u00e9\n  \u256d\u2500 a.lrs:1:2\n\na: warning[W1]: w\n", kSmall,
+    add_messages(overlay,
+                 "a: error[E1]: caf\u00e9\n  \u256d\u2500 a.lrs:1:2\n\na: warning[W1]: w\n", kSmall,
                  kWindow);
     const auto texts = texts_of(overlay);
     ASSERT_EQ(texts.size(), 3u);  // the empty one needs no text, but its place

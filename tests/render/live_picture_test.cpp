@@ -49,8 +49,9 @@ TEST(LivePicture, ShowsValuesInSquaresThatThePartCutsOff) {
             const bool is_inside = x >= 2 && x < 9 && y >= 10 && y < 20;
             const bool is_red = (x < 8) == (y < 16);
             const std::array<int, 4> expected = !is_inside ? std::array<int, 4>{0, 0, 0, 255}
-                                                : is_red   ? std::array<int, 4>{255, 0, 0, 255}
-                                                           : std::array<int, 4>{grey, grey, grey, 255};
+                                                : is_red
+                                                    ? std::array<int, 4>{255, 0, 0, 255}
+                                                    : std::array<int, 4>{grey, grey, grey, 255};
             ASSERT_EQ(pixel(frame, x, y), expected) << x << ", " << y;
         }
     }

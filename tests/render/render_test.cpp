@@ -294,7 +294,7 @@ TEST_F(RenderTest, NoiseGivesEachPixelThePowerOfTwoThatItNeeds) {
     const RenderResult result = run();
     EXPECT_TRUE(result.is_complete);
     EXPECT_EQ(result.sample_count, result.primary.rays);
-    const SampleTracer tracer(world_, accel_, camera_, options_);
+    const SampleTracer tracer(world_, accel_, camera_, options_, cancel_);
     const image::Display display({});
     std::uint64_t sample_count = 0;
     std::uint64_t converged = 0;

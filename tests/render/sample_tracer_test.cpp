@@ -53,10 +53,10 @@ class SampleTracerTest : public testing::Test {
 
     Film traced(const PixelRect& part, const std::vector<SampleRange>& ranges) const {
         const auto accel = bvh::build(world_, {.kind = bvh::AccelKind::none});
-        const SampleTracer tracer(world_, *accel, camera_, options_);
+        const std::atomic<bool> cancel{false};
+        const SampleTracer tracer(world_, *accel, camera_, options_, cancel);
         Film film(part.width(), part.height());
         RayCounts counts;
-        const std::atomic<bool> cancel{false};
         for (const SampleRange range : ranges) {
             EXPECT_EQ(tracer.add_samples(part, all_of(part), range, film, counts, cancel),
                       part.pixel_count() * range.count());
@@ -139,10 +139,10 @@ TEST_F(SampleTracerTest, CostIsThatOfEachRayAlone) {
 TEST_F(SampleTracerTest, CancelledTracesNothing) {
     options_.resolution = {4, 4};
     const auto accel = bvh::build(world_, {.kind = bvh::AccelKind::none});
-    const SampleTracer tracer(world_, *accel, camera_, options_);
+    const std::atomic<bool> cancel{true};
+    const SampleTracer tracer(world_, *accel, camera_, options_, cancel);
     Film film(4, 4);
     RayCounts counts;
-    const std::atomic<bool> cancel{true};
     const PixelRect part{0, 0, 4, 4};
     EXPECT_EQ(tracer.add_samples(part, all_of(part), {0, 3}, film, counts, cancel), 0u);
     EXPECT_EQ(counts.primary.rays, 0u);

@@ -173,8 +173,8 @@ TEST(Session, AnotherSizeGivesAFrameOfThatSize) {
     EXPECT_TRUE(ends(session, session.set_scene(pattern(0.5f), usual_view())));
     session.update(frame);
     View view = usual_view();
-    for (const scene::Resolution size :
-         {scene::Resolution{1, 1}, scene::Resolution{200, 3}, usual_view().render_options.resolution}) {
+    for (const scene::Resolution size : {scene::Resolution{1, 1}, scene::Resolution{200, 3},
+                                         usual_view().render_options.resolution}) {
         view.render_options.resolution = size;
         EXPECT_TRUE(ends(session, session.set_view(view)));
         EXPECT_TRUE(session.update(frame).has_value());
@@ -244,8 +244,8 @@ TEST(Session, ACropAloneIsAveraged) {
         for (std::size_t x = 0; x < 101; ++x) {
             if (x >= 13 && x < 60 && y >= 5 && y < 66) continue;
             const auto at = static_cast<std::ptrdiff_t>(4 * (y * 101 + x));
-            ASSERT_TRUE(std::equal(around.begin() + at, around.begin() + at + 4,
-                                   frame.bytes.begin() + at))
+            ASSERT_TRUE(
+                std::equal(around.begin() + at, around.begin() + at + 4, frame.bytes.begin() + at))
                 << x << ", " << y;
         }
     }
@@ -281,14 +281,36 @@ TEST(Session, PausedInAPassItGoesOnWithTheSameSamples) {
     EXPECT_EQ(session.light().pixels, rendered(*pattern(0.5f), view).pixels);
 }
 
+// Where the camera is inside of something is found by a ray too.
+TEST(Session, ACameraInTheMidstOfEndlesslyManyThingsIsLeft) {
+    test::Loaded loaded = test::load_text(
+        "environment { color: white }\nsphere { material { transmit: white, ior: 1.5 } }\n");
+    auto world = scene::flatten(*loaded.scene, {}, loaded.diagnostics);
+    auto scene = std::make_unique<PreparedScene>(std::move(loaded.sources),
+                                                 std::move(*loaded.scene), std::move(*world));
+    std::atomic<bool> is_met{false};
+    scene->accel = std::make_unique<PatternAccel>([&](bvh::TraceCounts& counts) {
+        is_met = true;
+        while (counts.cancel == nullptr || !*counts.cancel) std::this_thread::sleep_for(1ms);
+        counts.is_ended = true;
+    });
+    scene->lit = std::make_unique<shade::LitWorld>(scene->world, *scene->accel);
+    View view = usual_view();
+    view.render_options.shading.shader = shade::Shader::full;
+    Session session;
+    session.set_scene(std::move(scene), view);
+    EXPECT_TRUE(reaches(session, [&](const SessionStatus&) { return is_met.load(); }));
+    EXPECT_TRUE(ends(session, session.set_scene(pattern(0.5f), usual_view())));
+}
+
 /// A ball in the light of a sky that asks for so many samples.
 std::unique_ptr<PreparedScene> lit_ball(int light_samples) {
-    test::Loaded loaded = test::load_text("environment { color: #8090a0, samples: " +
-                                          std::to_string(light_samples) +
-                                          " }\nsphere { radius: 2 }\n");
+    test::Loaded loaded =
+        test::load_text("environment { color: #8090a0, samples: " + std::to_string(light_samples) +
+                        " }\nsphere { radius: 2 }\n");
     auto world = scene::flatten(*loaded.scene, {}, loaded.diagnostics);
-    auto scene = std::make_unique<PreparedScene>(
-        std::move(loaded.sources), std::move(*loaded.scene), std::move(*world));
+    auto scene = std::make_unique<PreparedScene>(std::move(loaded.sources),
+                                                 std::move(*loaded.scene), std::move(*world));
     scene->accel = bvh::build(scene->world, {});
     scene->lit = std::make_unique<shade::LitWorld>(scene->world, *scene->accel);
     return scene;
@@ -341,19 +363,66 @@ TEST(Session, TimeEndsItAfterAWholePass) {
     EXPECT_EQ(session.light().pixels, rendered(*pattern(0.5f), view).pixels);
 }
 
-TEST(Session, AFirstStepIsShownWhileChangesGoOn) {
-    // No step is ever left in peace, and each takes longer than the time between two changes.
+/// No step is ever left in peace, and each takes longer than the time between two changes.
+void expect_shown_while_moving(std::chrono::microseconds ray_time) {
     View view = usual_view();
     Session session;
-    session.set_scene(pattern(0.5f, [](auto&) { std::this_thread::sleep_for(50us); }), view);
+    session.set_scene(pattern(0.5f, [&](auto&) { std::this_thread::sleep_for(ray_time); }), view);
     int shown_count = 0;
     Frame frame;
-    for (int i = 0; i < 2000 && shown_count < 3; ++i) {
+    for (int i = 0; i < 20'000 && shown_count < 3; ++i) {
         session.set_view(turned(view, 0.01 * i));
         std::this_thread::sleep_for(1ms);
         if (session.update(frame)) ++shown_count;
     }
     EXPECT_EQ(shown_count, 3);
+}
+
+TEST(Session, AFirstStepIsShownWhileChangesGoOn) {
+    expect_shown_while_moving(50us);
+}
+
+TEST(Session, AFirstStepThatIsNeverCompleteIsShownInParts) {
+    expect_shown_while_moving(10ms);
+}
+
+TEST(Session, AnotherCropLeavesTheRestAsItIs) {
+    Session session;
+    EXPECT_TRUE(ends(session, session.set_scene(pattern(0.5f), usual_view())));
+    const std::vector<std::uint8_t> before = shown(rendered(*pattern(0.5f), usual_view()), {});
+    EXPECT_TRUE(ends(session, session.set_crop(PixelRect{0, 0, 10, 10})));
+    Frame frame;
+    session.update(frame);
+    EXPECT_EQ(frame.bytes, before) << "the same samples again";
+    EXPECT_EQ(session.light().width, 10u);
+    EXPECT_TRUE(ends(session, session.set_crop(std::nullopt)));
+    EXPECT_EQ(session.light().width, 101u);
+}
+
+TEST(Session, ACancelledPickIsNoneOfTheNext) {
+    std::atomic<bool> is_endless{true};
+    std::atomic<bool> is_met{false};
+    View view = usual_view();
+    view.render_options.samples = {0, 1};
+    Session session;
+    EXPECT_TRUE(ends(session, session.set_scene(pattern(0.5f), view)));
+    const auto endless = [&](bvh::TraceCounts& counts) {
+        is_met = true;
+        while (is_endless && !*counts.cancel) std::this_thread::sleep_for(1ms);
+        counts.is_ended = is_endless;
+    };
+    session.set_paused(true);
+    session.set_scene(pattern(0.5f, endless), view);
+    const PickTicket outdated = session.pick_ticket();
+    session.cancel_picks();
+    EXPECT_TRUE(session.pick({50.0, 30.0}, outdated).is_cancelled) << "before it began";
+    EXPECT_TRUE(reaches(session, [&](const SessionStatus&) { return is_met.load(); }));
+    const PickTicket ticket = session.pick_ticket();
+    std::thread waiting([&] { EXPECT_TRUE(session.pick({50.0, 30.0}, ticket).is_cancelled); });
+    std::this_thread::sleep_for(5ms);
+    session.cancel_picks();
+    waiting.join();
+    is_endless = false;
 }
 
 // A ray may meet endlessly many instances: it ends when it is told to, and only then.

@@ -12,7 +12,7 @@ namespace lray::test {
 
 namespace {
 
-constexpr unsigned kTimeLimitSeconds = 60;
+constexpr unsigned kTimeLimitSeconds = 120;
 
 void redirect(int target, const std::string& path, int flags) {
     const int file = open(path.c_str(), flags, 0600);

@@ -16,7 +16,7 @@ struct ProcessResult {
     std::string err{};
 };
 
-/// A program that was started. Its input is empty or a text; it is killed after a minute.
+/// A program that was started. Its input is empty or a text; it is killed after two minutes.
 class Process {
  public:
     /// command[0] is the path of the program; `directory` is where it runs.

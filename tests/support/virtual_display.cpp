@@ -33,9 +33,9 @@ bool VirtualDisplay::is_possible() {
 VirtualDisplay::VirtualDisplay() {
     const std::string size = std::to_string(kWidth) + "x" + std::to_string(kHeight) + "x24";
     // It says which number was free, on the descriptor that becomes its output.
-    server_ = std::make_unique<Process>(std::vector<std::string>{
-        kXvfb, "-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp", "-fbdir",
-        files_.path()});
+    server_ = std::make_unique<Process>(std::vector<std::string>{kXvfb, "-displayfd", "1",
+                                                                 "-screen", "0", size, "-nolisten",
+                                                                 "tcp", "-fbdir", files_.path()});
     for (int i = 0; i < 2000; ++i) {
         const std::string said = server_->out();
         if (said.ends_with('\n')) {

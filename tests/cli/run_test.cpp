@@ -104,7 +104,7 @@ TEST_F(FormatStats, SaysWhatWasRenderedAndHowFast) {
         "speed        0.500 Mrays/s on 2 threads\n"
         "memory       "))
         << text;
-    EXPECT_EQ(text.find("0.0 MiB"), std::string::npos) << text;
+    EXPECT_EQ(text.find(" 0.0 MiB"), std::string::npos) << text;
 }
 
 TEST_F(FormatStats, BoxesNameWhatTheyAreWalkedWith) {

@@ -134,7 +134,7 @@ class Viewer {
     scene::Camera camera_{};
     scene::Resolution size_{};
     std::optional<render::PixelRect> crop_{};
-    std::size_t shading_ = 0;                  // index into shadings()
+    std::size_t shading_ = 0;                  // 0: that of the scene; else one of the others
     double exposure_ = 0.0;                    // in stops, beside that of the scene
     std::optional<image::ToneMap> tonemap_{};  // in place of that of the scene
     bool is_flying_ = false;
@@ -173,8 +173,8 @@ class Viewer {
     std::optional<scene::Resolution> wanted_size_{};
     render::SessionStatus seen_{};  // by the last tick
     std::uint64_t change_ = 0;      // of the session, the last that was asked for
-    std::uint64_t loads_ = 0;       // scenes that were shown
     double change_time_ = 0.0;      // when that was
+    std::uint64_t loads_ = 0;       // scenes that were shown
     double now_ = 0.0;              // of the last event
 
     render::Session session_{};

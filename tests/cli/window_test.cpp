@@ -329,6 +329,15 @@ TEST_F(WindowTest, ASceneFromStdinIsShown) {
     EXPECT_EQ(quit().exit_code, 0);
 }
 
+TEST_F(WindowTest, TheButtonOfTheWindowClosesIt) {
+    directory_.write("scene.lrs", kScene);
+    open({"scene.lrs"});
+    display_->ask_to_close("scene.lrs");
+    const auto result = process_->wait();
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+}
+
 TEST_F(WindowTest, SignalsEndItWithTheirCodes) {
     directory_.write("scene.lrs", kScene);
     for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {

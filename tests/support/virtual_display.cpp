@@ -1,5 +1,6 @@
 #include "tests/support/virtual_display.h"
 
+#include <X11/Xlib.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -74,6 +75,20 @@ std::string VirtualDisplay::hands(const std::vector<std::string>& commands) cons
     const ProcessResult result = run_process(command);
     if (result.exit_code != 0) throw std::runtime_error("xdotool: " + result.err);
     return result.out;
+}
+
+void VirtualDisplay::ask_to_close(const std::string& title) const {
+    const Window window = std::stoul(hands({"search", "--name", title}));
+    Display* const display = XOpenDisplay(name_.c_str());
+    if (display == nullptr) throw std::runtime_error("the display takes no connection");
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = window;
+    event.xclient.message_type = XInternAtom(display, "WM_PROTOCOLS", False);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = static_cast<long>(XInternAtom(display, "WM_DELETE_WINDOW", False));
+    XSendEvent(display, window, False, NoEventMask, &event);
+    XCloseDisplay(display);
 }
 
 void VirtualDisplay::vanish() {

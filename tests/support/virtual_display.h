@@ -45,6 +45,10 @@ class VirtualDisplay {
     /// Gives commands to xdotool, in a row. Returns what it prints; throws if it fails.
     std::string hands(const std::vector<std::string>& commands) const;
 
+    /// Asks the program of the window with that in its title to close it, as the button that a
+    /// window manager draws does.
+    void ask_to_close(const std::string& title) const;
+
     /// Ends it, windows and all.
     void vanish();
 

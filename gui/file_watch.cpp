@@ -51,9 +51,8 @@ void FileWatch::start() {
 
 void FileWatch::cannot_watch(const std::string& why) {
     if (!problem_.empty()) return;
-    problem_ = fmt::format(
-        "the system does not tell when files are saved ({}); they are looked at twice a second",
-        why);
+    problem_ = "the system does not tell when files are saved (" + why +
+               "); they are looked at twice a second";
 }
 
 void FileWatch::watch(std::span<const std::string> paths) {
@@ -95,7 +94,7 @@ void FileWatch::watch_place(std::string path) {
         const std::string target = link_target(path);
         if (target.empty()) return;
         // Put together as text, unchanged: "x/.." may not be tidied away where x is a link.
-        path = target.starts_with('/') ? target : fmt::format("{}/{}", directory, target);
+        path = target.starts_with('/') ? target : directory + "/" + target;
         --links_left;
     }
 }

@@ -162,22 +162,18 @@ Tick Viewer::tick(double now) {
         needs_redraw_ = true;
     }
 
-    Tick tick;
-    const bool is_moving =
-        held_.is_any_held() || mouse_.is_held() || sliders_.is_dragging() || repeated_.has_value();
-    if (is_moving) {
-        tick.seconds_to_next = kMovingPeriod;
-    } else if (is_at_rest()) {
-        tick.seconds_to_next = kRestingPeriod;
-    } else {
-        tick.seconds_to_next =
-            std::clamp(kPeriodGrowth * (now - change_time_), kMovingPeriod, kSlowestPeriod);
-    }
+    return {std::exchange(needs_redraw_, false), seconds_to_next_tick(),
+            std::exchange(wanted_size_, std::nullopt)};
+}
+
+double Viewer::seconds_to_next_tick() const {
+    const bool is_moving = has_held_keys() || mouse_.is_held() || sliders_.is_dragging();
+    if (is_moving) return kMovingPeriod;
+    const double seconds = is_at_rest() ? kRestingPeriod
+                                        : std::clamp(kPeriodGrowth * (now_ - change_time_),
+                                                     kMovingPeriod, kSlowestPeriod);
     const bool is_busy = is_loading_ || picker_.is_busy() || saver_.is_busy();
-    if (is_busy) tick.seconds_to_next = std::min(tick.seconds_to_next, kLoadingPeriod);
-    tick.needs_redraw = std::exchange(needs_redraw_, false);
-    tick.wanted_size = std::exchange(wanted_size_, std::nullopt);
-    return tick;
+    return is_busy ? std::min(seconds, kLoadingPeriod) : seconds;
 }
 
 bool Viewer::is_at_rest() const {

@@ -76,6 +76,8 @@ class Viewer {
  private:
     enum class Move : std::uint8_t { none, keys, drag, wheel, jump };
 
+    double seconds_to_next_tick() const;
+
     // viewer_actions.cpp
     void act(Bound bound, double now);
     void jump_to(const scene::Camera& camera, double now);

@@ -172,6 +172,8 @@ void Session::work() {
 }
 
 void Session::apply(Change change, std::uint64_t number) {
+    // What is around a crop may still be in squares, or of the view before.
+    const bool needs_squares = change.needs_squares || (job_ && !job_->shows_every_pixel());
     job_.reset();
     std::unique_ptr<const PreparedScene> outdated;
     if (change.scene) outdated = replace_scene(std::move(change.scene));
@@ -182,7 +184,7 @@ void Session::apply(Change change, std::uint64_t number) {
     }
     show_picture();
     std::uint32_t square = 0;
-    if (change.needs_squares) square = first_square(seconds_per_ray_, view_.whole().pixel_count());
+    if (needs_squares) square = first_square(seconds_per_ray_, view_.whole().pixel_count());
     job_ = std::make_unique<ProgressiveJob>(*scene_, view_, square, cancel_);
     const std::lock_guard lock(mutex_);
     status_.change = number;

@@ -31,7 +31,7 @@ constexpr const char* kBall =
 class WindowTest : public LrayTest {
  protected:
     void SetUp() override {
-        if (!VirtualDisplay::is_possible()) GTEST_SKIP() << "Xvfb and xdotool are not installed";
+        ASSERT_TRUE(VirtualDisplay::is_possible()) << "these tests need Xvfb and xdotool";
         display_ = std::make_unique<VirtualDisplay>();
     }
 

@@ -404,18 +404,21 @@ TEST(Session, ACropChosenBeforeAViewIsThereShowsTheViewAroundIt) {
     std::atomic<bool> is_met{false};
     const auto on_ray = [&](bvh::TraceCounts&) {
         is_met = is_met || is_held_up;
-        while (is_held_up) std::this_thread::sleep_for(1ms);
+        do {  // so slow that squares come first
+            std::this_thread::sleep_for(100us);
+        } while (is_held_up);
     };
+    View view = usual_view();
+    view.render_options.samples = {0, 1};
     Session session;
-    EXPECT_TRUE(ends(session, session.set_scene(pattern(0.5f, on_ray), usual_view())));
+    EXPECT_TRUE(ends(session, session.set_scene(pattern(0.5f, on_ray), view)));
     is_held_up = true;
-    View other = turned(usual_view(), 0.7);
+    const View other = turned(view, 0.7);
     session.set_view(other);
     EXPECT_TRUE(reaches(session, [&](const SessionStatus&) { return is_met.load(); }));
     const std::uint64_t change = session.set_crop(PixelRect{0, 0, 10, 10});
     is_held_up = false;
     EXPECT_TRUE(ends(session, change));
-    other.render_options.samples = {0, 1};
     const std::vector<std::uint8_t> around = shown(rendered(*pattern(0.5f), other), {});
     Frame frame;
     session.update(frame);

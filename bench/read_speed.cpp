@@ -22,7 +22,7 @@
 #include "base/source.h"
 #include "parser/load.h"
 #include "parser/tools/format.h"
-#include "scene/obj_reader.h"
+#include "scene/formats/obj_reader.h"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include "base/portable_math.h"
 #include "base/random.h"
 #include "base/source.h"
-#include "scene/obj_reader.h"
+#include "scene/formats/obj_reader.h"
 
 namespace lray::bench {
 

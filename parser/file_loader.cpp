@@ -11,7 +11,7 @@
 #include "base/did_you_mean.h"
 #include "base/path.h"
 #include "image/read.h"
-#include "scene/obj_reader.h"
+#include "scene/formats/read_mesh.h"
 
 namespace lray::parser {
 
@@ -25,14 +25,6 @@ std::string_view ending_among(std::string_view path, std::span<const std::string
         if (edit_distance(ending, known, 0) == 0) return ending;
     }
     return {};
-}
-
-/// The ending of a file name when it is that of a mesh format other than OBJ; empty otherwise.
-std::string_view other_mesh_format(std::string_view path) {
-    constexpr std::array<std::string_view, 14> kOthers = {".3ds", ".abc",  ".blend", ".dae", ".fbx",
-                                                          ".glb", ".gltf", ".mtl",   ".off", ".ply",
-                                                          ".stl", ".usd",  ".usda",  ".x3d"};
-    return ending_among(path, kOthers);
 }
 
 /// The ending of a file name when it is that of a picture format that is not read; empty otherwise.
@@ -185,17 +177,19 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
     const auto [known, is_new] = meshes_.try_emplace({directories_[from], std::string(path)});
     std::optional<scene::MeshId>& mesh_id = known->second;
     if (!is_new) return mesh_id;
-    if (const std::string_view format = other_mesh_format(path); !format.empty()) {
+    const std::optional<scene::MeshFormat> format = scene::mesh_format_of(path);
+    if (!format) {
         diagnostics_
             .error(Code::E0705, span,
-                   fmt::format("`{}` files are not read by this version", format))
+                   fmt::format("`{}` files are not read by this version",
+                               path.substr(path.rfind('.'))))
             .with_help("save the mesh as OBJ");
         return std::nullopt;
     }
     const std::optional<Found> found = read({path, span, Span{}, mesh_limit_}, from, mesh_files_);
     if (!found) return std::nullopt;
     if (!found->id) return mesh_id = meshes_by_identity_.at(found->identity);
-    mesh_id = read_mesh(*found->id, span, scene);
+    mesh_id = read_mesh(*format, *found->id, span, scene);
     mesh_files_.insert(found->identity);
     meshes_by_identity_.emplace(found->identity, mesh_id);
     return mesh_id;
@@ -265,9 +259,10 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
     return id;
 }
 
-std::optional<scene::MeshId> FileLoader::read_mesh(SourceId file, Span span, scene::Scene& scene) {
+std::optional<scene::MeshId> FileLoader::read_mesh(scene::MeshFormat format, SourceId file,
+                                                   Span span, scene::Scene& scene) {
     const std::size_t errors_before = diagnostics_.error_count() + diagnostics_.warning_count();
-    std::optional<scene::Mesh> mesh = scene::read_obj(sources_, file, span, diagnostics_);
+    std::optional<scene::Mesh> mesh = scene::read_mesh(format, sources_, file, span, diagnostics_);
     if (diagnostics_.error_count() + diagnostics_.warning_count() == errors_before) {
         sources_.release_text(file);  // nothing in it will be shown
     }

@@ -15,6 +15,7 @@
 #include "base/source.h"
 #include "image/image.h"
 #include "parser/load.h"
+#include "scene/formats/read_mesh.h"
 #include "scene/scene.h"
 
 namespace lray::parser {
@@ -87,7 +88,8 @@ class FileLoader {
                               const std::set<std::string>& known = {});
     std::optional<Found> add(ReadResult result, const Request& request,
                              const std::set<std::string>& known = {});
-    std::optional<scene::MeshId> read_mesh(SourceId file, Span span, scene::Scene& scene);
+    std::optional<scene::MeshId> read_mesh(scene::MeshFormat format, SourceId file, Span span,
+                                           scene::Scene& scene);
     void report(const ReadResult& result, const Request& request);
     void report_not_found(const ReadResult& result, const Request& request);
 

@@ -22,9 +22,19 @@ struct MeshPart {
     std::uint32_t triangle_count = 0;
 };
 
+/// The triangles from one on, up to the next run, that a file gives the material of a name.
+struct MaterialRun {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    std::uint32_t first_triangle = 0;
+    std::uint32_t material = kNone;  // into Mesh::material_names; kNone: the file gives none
+};
+
 /// Shape: `normal_indices` and `uv_indices` are empty or as long as `triangles`. A triple in
-/// `normal_indices` whose first index is kNone has no normals of its own, likewise uvs.
-/// Space: the file's; normals are unit.
+/// `normal_indices` whose first index is kNone has no normals of its own, likewise uvs. `colors` is
+/// empty or as long as `positions`. `material_runs` rise; none begins before the first triangle
+/// that has a material.
+/// Space: the file's; normals are unit, colours linear and in [0, 1].
 struct Mesh {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -33,11 +43,15 @@ struct Mesh {
     std::vector<Vec3> positions{};
     std::vector<Vec3> normals{};
     std::vector<Vec2> uvs{};
+    std::vector<Color> colors{};
     std::vector<IndexTriple> triangles{};
     std::vector<IndexTriple> normal_indices{};
     std::vector<IndexTriple> uv_indices{};
     std::vector<MeshPart> parts{};
     std::vector<std::uint32_t> parts_by_name{};  // by index_parts(); files may have a million
+    std::vector<MaterialRun> material_runs{};
+    std::vector<std::string> material_names{};  // each once
+    std::vector<std::string> material_files{};  // that define them, as the file names them
 };
 
 /// Orders the parts for parts_named(), once they are all there.

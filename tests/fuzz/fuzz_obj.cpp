@@ -8,7 +8,7 @@
 #include "base/diagnostics.h"
 #include "base/source.h"
 #include "scene/mesh.h"
-#include "scene/obj_reader.h"
+#include "scene/formats/obj_reader.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "scene/mesh.h"
-#include "scene/obj_counts.h"
+#include "scene/formats/obj_counts.h"
 #include "scene/triangulate_polygon.h"
 
 namespace lray::scene::obj {

@@ -1,4 +1,4 @@
-#include "scene/obj_reader.h"
+#include "scene/formats/obj_reader.h"
 
 #include <limits>
 #include <string>
@@ -8,10 +8,10 @@
 
 #include "base/assert.h"
 #include "base/parse_number.h"
-#include "scene/obj_counts.h"
-#include "scene/obj_mesh_builder.h"
-#include "scene/obj_mistakes.h"
-#include "scene/obj_scanner.h"
+#include "scene/formats/obj_counts.h"
+#include "scene/formats/obj_mesh_builder.h"
+#include "scene/formats/obj_mistakes.h"
+#include "scene/formats/obj_scanner.h"
 
 namespace lray::scene {
 

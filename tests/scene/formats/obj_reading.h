@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/obj_reader.h"
+#include "scene/formats/obj_reader.h"
 
 namespace lray::scene {
 

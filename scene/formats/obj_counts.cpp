@@ -1,8 +1,8 @@
-#include "scene/obj_counts.h"
+#include "scene/formats/obj_counts.h"
 
 #include <algorithm>
 
-#include "scene/obj_scanner.h"
+#include "scene/formats/obj_scanner.h"
 
 namespace lray::scene::obj {
 

@@ -1,4 +1,4 @@
-#include "scene/obj_mesh_builder.h"
+#include "scene/formats/obj_mesh_builder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Counting OBJ statements, exactly and from samples.
-#include "scene/obj_counts.h"
+#include "scene/formats/obj_counts.h"
 
 #include <string>
 

@@ -1,11 +1,11 @@
-#include "scene/obj_mistakes.h"
+#include "scene/formats/obj_mistakes.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "base/parse_number.h"
-#include "scene/obj_scanner.h"
+#include "scene/formats/obj_scanner.h"
 
 namespace lray::scene::obj {
 

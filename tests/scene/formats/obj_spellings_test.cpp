@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/scene/obj_reading.h"
+#include "tests/scene/formats/obj_reading.h"
 
 namespace lray::scene {
 namespace {

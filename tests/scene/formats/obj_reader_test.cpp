@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/scene/obj_reading.h"
+#include "tests/scene/formats/obj_reading.h"
 
 namespace lray::scene {
 namespace {

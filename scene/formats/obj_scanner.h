@@ -1,5 +1,5 @@
 // The characters of OBJ text: where blanks, tokens, lines and statements end. What the statements
-// mean is scene/obj_reader.cpp.
+// mean is scene/formats/obj_reader.cpp.
 #pragma once
 
 #include <bit>

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "base/nearby_files.h"
@@ -317,6 +318,10 @@ void FileAccess::finish(ReadResult& result, Attempt attempt, const ReadLimits& l
         result.reason = error_words(read.error);
     } else {
         result.text = std::move(*read.text);
+        if (has_fingerprint_ && !place.ends_with(".lrs")) {
+            fingerprint_.add(result.text.view());
+            fingerprint_.add(std::to_string(result.text.size()));  // where the next one begins
+        }
         const bool is_named = !result.searched.empty();  // stdin has no name
         if (is_named && is_read_.insert(place).second) files_read_.push_back(place);
     }

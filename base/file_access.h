@@ -11,6 +11,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/content_hash.h"
 #include "base/descriptor.h"
 #include "base/open_beneath.h"
 #include "base/source.h"
@@ -80,6 +81,12 @@ class FileAccess {
     /// Every file that was read, in order, each once, as paths that lead to it from here.
     std::span<const std::string> files_read() const { return files_read_; }
 
+    /// From now on the content of what is read joins a fingerprint, but for the text of scenes.
+    void begin_fingerprint() { has_fingerprint_ = true; }
+
+    /// Of all files that were read since then, in order. Shape: begin_fingerprint() was called.
+    const ContentHash& fingerprint() const { return fingerprint_; }
+
     /// Every place where a file was looked for in vain, in order, each once, as paths from here: a
     /// file that appears there would be read the next time. No more than kMaxFilesMissed; places
     /// outside of the allowed directories are not among them.
@@ -124,6 +131,8 @@ class FileAccess {
     std::unordered_set<std::string> is_read_;
     std::vector<std::string> files_missed_;
     std::unordered_set<std::string> is_missed_;
+    bool has_fingerprint_ = false;
+    ContentHash fingerprint_{};
 };
 
 }  // namespace lray

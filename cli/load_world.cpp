@@ -11,6 +11,7 @@ namespace lray::cli {
 LoadedWorld load_world(const Options& options, Stopwatch& watch, StageTimes& times) {
     LoadedWorld loaded{.diagnostics = Diagnostics(options.warning_levels),
                        .files = file_access(options)};
+    if (options.is_resuming || options.is_film) loaded.files.begin_fingerprint();
     loaded.result = parser::load(options.scene_path, load_settings(options), loaded.files,
                                  loaded.sources, loaded.diagnostics);
     times.load += watch.lap();

@@ -10,6 +10,7 @@
 #include "cli/dependencies.h"
 #include "cli/dump_scene.h"
 #include "cli/explain.h"
+#include "cli/film_run.h"
 #include "cli/format_files.h"
 #include "cli/frames.h"
 #include "cli/interrupt.h"
@@ -47,6 +48,11 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
         options, loaded.files.files_read());  // before the work: a wrong name is told at once
     if (const auto* failure = std::get_if<Failure>(&opened)) return report_failure(*failure);
 
+    const auto begun = FilmRun::begin(options, view, *scene, loaded.files);
+    if (const auto* failure = std::get_if<Failure>(&begun)) return report_failure(*failure);
+    const FilmRun& film = std::get<FilmRun>(begun);
+    if (film.is_done()) return ExitCode::done;
+
     watch.lap();
     Progress progress(progress_style(options), options.frame_label);
     print_message(progress.begin());
@@ -54,10 +60,10 @@ ExitCode check_or_render(const Options& options, DiagnosticsReport& report) {
     const auto lit = prepare_light(view, *world, *accel, options);
     times.build = watch.lap();
     const render::RenderResult result =
-        render_view(view, *world, *accel, lit.get(), options, progress);
+        render_view(view, *world, *accel, lit.get(), options, progress, film.kept());
     times.render = watch.lap();
-    const ExitCode exit_code =
-        save_picture(std::move(std::get<OutputFile>(opened)), result, view, scene->info, options);
+    const ExitCode exit_code = save_picture(std::move(std::get<OutputFile>(opened)), result, view,
+                                            scene->info, film, options);
     times.write = watch.lap();
     if (options.stats != StatsFormat::none) {
         print_stats({*world, options, view, accel->stats(), result, times});
@@ -71,6 +77,7 @@ ExitCode check_or_render_frames(const Options& options) {
         const ExitCode exit_code = check_or_render(options_of_frame(options, i), report);
         if (exit_code != ExitCode::done) return exit_code;
     }
+    forget_frames(options);
     return ExitCode::done;
 }
 

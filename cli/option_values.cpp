@@ -117,7 +117,7 @@ std::string store_sample_range(Options& options, std::string_view text) {
     return {};
 }
 
-std::string store_time(Options& options, std::string_view text) {
+std::string store_duration(double& seconds, std::string_view text) {
     struct Unit {
         std::string_view name{};
         double seconds = 1.0;
@@ -129,13 +129,17 @@ std::string store_time(Options& options, std::string_view text) {
     const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
                                    [&](const Unit& known) { return known.name == written; });
     if (number && *number > 0.0 && unit != kUnits.end()) {
-        options.sample_limits.seconds = *number * unit->seconds;
+        seconds = *number * unit->seconds;
         return {};
     }
     std::string wrong =
         fmt::format("takes a duration like `500ms`, `30s`, `5m` or `2h`, not `{}`", text);
     if (number && *number > 0.0 && written.empty()) wrong += fmt::format("; `{}s`?", text);
     return wrong;
+}
+
+std::string store_time(Options& options, std::string_view text) {
+    return store_duration(options.sample_limits.seconds.emplace(), text);
 }
 
 std::string store_noise(Options& options, std::string_view text) {
@@ -224,9 +228,11 @@ std::string store_stats(Options& options, std::string_view text) {
 }
 
 std::string store_format(Options& options, std::string_view text) {
+    options.is_film = text == kFilmFormat;
     options.format = image::find_format(text);
-    return options.format ? std::string{}
-                          : fmt::format("takes ppm, png, jpg or pfm, not `{}`", text);
+    return options.format || options.is_film
+               ? std::string{}
+               : fmt::format("takes ppm, png, jpg, pfm or film, not `{}`", text);
 }
 
 std::string store_color(Options& options, std::string_view text) {

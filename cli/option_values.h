@@ -22,6 +22,7 @@ std::string store_level(Options& options, std::string_view text);
 std::string store_samples(Options& options, std::string_view text);
 std::string store_sample_range(Options& options, std::string_view text);
 std::string store_time(Options& options, std::string_view text);
+std::string store_duration(double& seconds, std::string_view text);
 std::string store_noise(Options& options, std::string_view text);
 std::string store_sampler(Options& options, std::string_view text);
 std::string store_size(Options& options, std::string_view text);

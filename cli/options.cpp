@@ -229,7 +229,7 @@ std::optional<Failure> check_numbering(const Options& options) {
 }
 
 std::optional<Failure> choose_format(Options& options) {
-    if (options.format) return std::nullopt;
+    if (options.format || options.is_film) return std::nullopt;
     if (options.output_path == "-") {
         options.format = image::Format::ppm;
         return std::nullopt;
@@ -240,7 +240,8 @@ std::optional<Failure> choose_format(Options& options) {
     }
     const std::string_view extension = image::extension(options.output_path);
     options.format = image::find_format(extension);
-    if (options.format) return std::nullopt;
+    options.is_film = extension == kFilmFormat;
+    if (options.format || options.is_film) return std::nullopt;
     const std::string help =
         "end its name in .ppm, .png, .jpg or .pfm, or choose with `--format ppm|png|jpg|pfm`";
     if (extension.empty()) {
@@ -267,6 +268,24 @@ std::optional<Failure> check_limits(const Options& options) {
                        "a part of the samples is always rendered whole; leave one of the two out");
 }
 
+/// Films are added up, and their samples with them: each pixel has the same.
+std::optional<Failure> check_film(const Options& options) {
+    if (!options.is_film) return std::nullopt;
+    if (options.mode == Mode::window) {
+        return usage_error("a window saves pictures, no films", "end the name in .png");
+    }
+    if (!options.sample_limits.is_any()) return std::nullopt;
+    return usage_error(fmt::format("a film and `{}` do not go together",
+                                   options.sample_limits.seconds ? "--time" : "--noise"),
+                       "each pixel of a film has the same samples; say how many with `-ps N`");
+}
+
+std::optional<Failure> check_resume(const Options& options) {
+    if (!options.is_resuming || options.output_path != "-") return std::nullopt;
+    return usage_error("`--resume` cannot go on with what was written to stdout",
+                       "name a file with `-o`: what there is is kept beside it");
+}
+
 /// A level is a set of defaults: what is given by hand stays.
 void apply_level(Options& options) {
     const bool is_first = options.level == 1u;
@@ -282,6 +301,9 @@ void warn_of_ignored(Options& options) {
     if (options.quality && options.accel != bvh::AccelKind::boxes) {
         options.warnings.push_back(
             "`--quality` is ignored: only boxes have a choice; `--accel boxes` builds them");
+    }
+    if (options.is_resuming && options.mode == Mode::window) {
+        options.warnings.push_back("`--resume` is ignored: a window begins anew");
     }
     if (options.position != render::PixelPosition::center) return;
     const auto warn = [&](const std::string& option) {
@@ -346,6 +368,8 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
     if (auto failure = choose_format(options)) return *failure;
     if (auto failure = check_samples(options)) return *failure;
     if (auto failure = check_limits(options)) return *failure;
+    if (auto failure = check_film(options)) return *failure;
+    if (auto failure = check_resume(options)) return *failure;
     apply_level(options);
     warn_of_ignored(options);
     return options;

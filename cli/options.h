@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -63,6 +64,9 @@ struct Options {
     std::optional<render::PixelRect> crop{};
     std::optional<std::string> camera_name{};
     std::optional<image::Format> format{};  // always set once parsed, if a picture is asked for
+    bool is_film = false;                   // -o takes the film, in place of a picture
+    bool is_resuming = false;               // --resume
+    double save_seconds = 30.0;             // --save-every: between two states of --resume
     std::optional<bvh::AccelKind> accel{};  // set once parsed, by the level if it is not given
     std::optional<bvh::BuildQuality> quality{};  // of boxes; medium if it is not given
     render::PixelPosition position = render::PixelPosition::random;  // by the level
@@ -92,6 +96,9 @@ struct Options {
 
     std::vector<std::string> warnings{};  // options that have no effect, in words
 };
+
+/// The extension and the name of the format of films.
+inline constexpr std::string_view kFilmFormat = "film";
 
 /// Reads the arguments (without the program's name). Every option may have one or two dashes and
 /// its value in the next argument or after `=`; names are never abbreviated; the last one given

@@ -45,8 +45,10 @@ std::string time_left(const render::RenderProgress& progress, double elapsed_sec
             samples > 0.0 ? progress.seconds * (1.0 - samples) / samples : rest;
         return format_duration(std::min(rest, of_samples));
     }
-    if (!(share > 0.0)) return "?";
-    return format_duration(elapsed_seconds * (1.0 - share) / share);
+    const double there =
+        progress.limits.noise ? 0.0 : share_of(progress.kept_samples, progress.total_samples);
+    if (!(share > there)) return "?";
+    return format_duration(elapsed_seconds * (1.0 - share) / (share - there));
 }
 
 /// What beside the time says how good the picture is already.

@@ -62,7 +62,7 @@ ExitCode save_partial_picture(const render::RenderResult& result, const View& vi
                               image::Metadata metadata, const Options& options,
                               ExitCode exit_code) {
     const bool is_empty = result.primary.rays == 0;  // interrupted while the hierarchy was built
-    if (is_empty || is_special_file(options.output_path)) {
+    if (is_empty || options.is_film || is_special_file(options.output_path)) {
         print_message("lray: interrupted; nothing was written\n");
         return exit_code;
     }
@@ -177,7 +177,8 @@ std::unique_ptr<shade::LitWorld> prepare_light(const View& view, const scene::Wo
 
 render::RenderResult render_view(const View& view, const scene::World& world,
                                  const bvh::Accel& accel, const shade::LitWorld* lit,
-                                 const Options& options, Progress& progress) {
+                                 const Options& options, Progress& progress,
+                                 render::KeptFilm* kept) {
     const auto start = std::chrono::steady_clock::now();
     const auto on_progress = [&](const render::RenderProgress& done) {
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -185,8 +186,8 @@ render::RenderResult render_view(const View& view, const scene::World& world,
     };
     render::RenderOptions render_options = view.render_options;
     render_options.lit = lit;
-    render::RenderResult result =
-        render::render(world, accel, view.camera, render_options, on_progress, stop_requested());
+    render::RenderResult result = render::render(world, accel, view.camera, render_options,
+                                                 on_progress, stop_requested(), kept);
     print_message(progress.finish());
     result.image = for_file(std::move(result.image), view.render_options.display, options);
     return result;
@@ -210,15 +211,21 @@ std::optional<Failure> write_picture(OutputFile output, const image::Image& pict
 }
 
 ExitCode save_picture(OutputFile output, const render::RenderResult& result, const View& view,
-                      image::Metadata metadata, const Options& options) {
-    if (!result.is_complete) {
-        const auto exit_code = interrupt_exit_code();
-        LRAY_ASSERT(exit_code);
-        return save_partial_picture(result, view, metadata, options, *exit_code);
+                      image::Metadata metadata, const FilmRun& film, const Options& options) {
+    ExitCode exit_code = ExitCode::done;
+    if (result.is_complete) {
+        const auto failure =
+            options.is_film ? film.write(std::move(output))
+                            : write_picture(std::move(output), result.image,
+                                            view.render_options.display.gamma, metadata, options);
+        if (failure) exit_code = report_failure(*failure);
+    } else {
+        const auto interrupted = interrupt_exit_code();
+        LRAY_ASSERT(interrupted);
+        exit_code = save_partial_picture(result, view, metadata, options, *interrupted);
     }
-    const auto failure = write_picture(std::move(output), result.image,
-                                       view.render_options.display.gamma, metadata, options);
-    return failure ? report_failure(*failure) : ExitCode::done;
+    film.end(result, exit_code);
+    return exit_code;
 }
 
 std::string partial_path(std::string_view output_path) {

@@ -13,6 +13,7 @@
 #include "base/output_file.h"
 #include "base/source.h"
 #include "cli/exit_code.h"
+#include "cli/film_run.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/view.h"
@@ -47,10 +48,11 @@ std::unique_ptr<shade::LitWorld> prepare_light(const View& view, const scene::Wo
                                                const bvh::Accel& accel, const Options& options);
 
 /// Renders with progress on stderr, until done or interrupted, and brings the picture to its
-/// display.
+/// display. `kept` as of render::render().
 render::RenderResult render_view(const View& view, const scene::World& world,
                                  const bvh::Accel& accel, const shade::LitWorld* lit,
-                                 const Options& options, Progress& progress);
+                                 const Options& options, Progress& progress,
+                                 render::KeptFilm* kept);
 
 /// Returns the pixels that the format of the options holds of light.
 image::Image for_file(image::Image light, const image::DisplaySettings& display,
@@ -61,10 +63,10 @@ std::optional<Failure> write_picture(OutputFile output, const image::Image& pict
                                      image::Gamma gamma, image::Metadata metadata,
                                      const Options& options);
 
-/// Writes the picture, or what there is of it beside the output if it was interrupted, and says
-/// so.
+/// Writes the picture, or the film if that is asked for; or what there is of the picture beside the
+/// output if it was interrupted, and says so.
 ExitCode save_picture(OutputFile output, const render::RenderResult& result, const View& view,
-                      image::Metadata metadata, const Options& options);
+                      image::Metadata metadata, const FilmRun& film, const Options& options);
 
 /// "a/image.png" -> "a/image.partial.png".
 std::string partial_path(std::string_view output_path);

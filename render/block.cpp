@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "base/assert.h"
 
@@ -23,13 +24,25 @@ bool is_converged(const Film& film, FilmPlace place, const image::Display& displ
 }  // namespace
 
 Block::Block(const PixelRect& part, const BlockSettings& settings)
-    : part_(part),
-      film_(part.width(), part.height(), settings.noise ? Film::Keeps::squares : Film::Keeps::sums),
-      next_sample_(settings.samples.begin) {
+    : Block(part, Film(part.width(), part.height(), film_keeps(settings.noise)), settings) {}
+
+/// Pixels that were closed have fewer samples than others, but for those that were closed last:
+/// their noise tells again.
+Block::Block(const PixelRect& part, Film film, const BlockSettings& settings)
+    : part_(part), film_(std::move(film)) {
+    LRAY_ASSERT(film_.width() == part.width() && film_.height() == part.height());
+    std::uint32_t count = 0;
+    for (const Film::Pixel& pixel : film_.pixels()) count = std::max(count, pixel.sample_count);
+    LRAY_ASSERT(count <= settings.samples.count());
+    next_sample_ = settings.samples.begin + count;
+    if (next_sample_ == settings.samples.end) return;
     open_.reserve(part.pixel_count());
     for (std::uint32_t y = 0; y < part.height(); ++y) {
-        for (std::uint32_t x = 0; x < part.width(); ++x) open_.push_back({x, y});
+        for (std::uint32_t x = 0; x < part.width(); ++x) {
+            if (film_.pixel(x, y).sample_count == count) open_.push_back({x, y});
+        }
     }
+    close_converged(settings);
 }
 
 /// Where the pixels have as many samples as it takes to look at their noise again, or all.

@@ -46,11 +46,22 @@ class Block {
  public:
     Block(const PixelRect& part, const BlockSettings& settings);
 
+    /// Goes on from a film of the part that an earlier block left, between two calls of advance(),
+    /// under the same settings but for where its samples end.
+    Block(const PixelRect& part, Film film, const BlockSettings& settings);
+
     /// Gives each pixel that still gets samples those up to `end` (of a picture's, not of a
     /// range's), or up to where its noise is looked at and found small.
     BlockWork advance(std::uint32_t end, const BlockSettings& settings);
 
     bool is_finished() const { return open_.empty(); }
+    std::uint64_t open_count() const { return open_.size(); }
+
+    /// The samples up to this one are there, of the pixels that still get some.
+    std::uint32_t next_sample() const { return next_sample_; }
+
+    const PixelRect& part() const { return part_; }
+    const Film& film() const { return film_; }
 
     /// Writes the means into the picture of an area.
     void resolve(const PixelRect& area, image::Image& picture) const;

@@ -37,4 +37,54 @@ Color Film::standard_error(std::uint32_t x, std::uint32_t y) const {
     return error;
 }
 
+Film Film::part(std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height) const {
+    LRAY_ASSERT(width <= width_ && x <= width_ - width);
+    LRAY_ASSERT(height <= height_ && y <= height_ - height);
+    Film result(width, height, keeps());
+    for (std::size_t row = 0; row < height; ++row) {
+        const auto from = static_cast<std::ptrdiff_t>((y + row) * width_ + x);
+        const auto to = static_cast<std::ptrdiff_t>(row * width);
+        std::copy_n(pixels_.begin() + from, width, result.pixels_.begin() + to);
+        if (squares_.empty()) continue;
+        std::copy_n(squares_.begin() + from, width, result.squares_.begin() + to);
+    }
+    return result;
+}
+
+void Film::set_part(std::uint32_t x, std::uint32_t y, const Film& part) {
+    LRAY_ASSERT(part.width_ <= width_ && x <= width_ - part.width_);
+    LRAY_ASSERT(part.height_ <= height_ && y <= height_ - part.height_);
+    LRAY_ASSERT(part.keeps() == keeps());
+    for (std::size_t row = 0; row < part.height_; ++row) {
+        const auto from = static_cast<std::ptrdiff_t>(row * part.width_);
+        const auto to = static_cast<std::ptrdiff_t>((y + row) * width_ + x);
+        std::copy_n(part.pixels_.begin() + from, part.width_, pixels_.begin() + to);
+        if (squares_.empty()) continue;
+        std::copy_n(part.squares_.begin() + from, part.width_, squares_.begin() + to);
+    }
+}
+
+void Film::add_film(const Film& other) {
+    LRAY_ASSERT(other.width_ == width_ && other.height_ == height_ && other.keeps() == keeps());
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        const Pixel& more = other.pixels_[i];
+        LRAY_ASSERT(more.sample_count <= kMaxSamples - pixels_[i].sample_count);
+        pixels_[i].sample_count += more.sample_count;
+        for (int channel = 0; channel < 3; ++channel) {
+            pixels_[i].sum[channel] += more.sum[channel];
+            if (squares_.empty()) continue;
+            squares_[i].sum[channel] += other.squares_[i].sum[channel];
+        }
+    }
+    counts_ += other.counts_;
+}
+
+image::Image Film::picture() const {
+    image::Image result(width_, height_);
+    for (std::uint32_t y = 0; y < height_; ++y) {
+        for (std::uint32_t x = 0; x < width_; ++x) result.at(x, y) = resolve(x, y);
+    }
+    return result;
+}
+
 }  // namespace lray::render

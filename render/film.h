@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "base/assert.h"
 #include "base/numerics.h"
 #include "base/vec.h"
+#include "image/image.h"
 
 namespace lray::render {
 
@@ -22,6 +25,9 @@ struct FilmCounts {
         clamped += other.clamped;
         nan += other.nan;
         return *this;
+    }
+    friend FilmCounts operator-(const FilmCounts& a, const FilmCounts& b) {
+        return {a.clamped - b.clamped, a.nan - b.nan};
     }
 };
 
@@ -36,6 +42,19 @@ class Film {
 
     /// What is kept of the samples beside their sums: their squares tell how sure the mean is.
     enum class Keeps : std::uint8_t { sums, squares };
+
+    struct Pixel {
+        std::int64_t sum[3] = {0, 0, 0};
+        std::uint32_t sample_count = 0;
+    };
+
+    __extension__ using Wide = unsigned __int128;
+
+    /// Of each channel. A sample is below 2^48 in steps of 2^-32, its square below 2^96, and
+    /// kMaxSamples of them below 2^111.
+    struct Squares {
+        Wide sum[3] = {0, 0, 0};
+    };
 
     Film(std::uint32_t width, std::uint32_t height, Keeps keeps = Keeps::sums);
 
@@ -82,26 +101,36 @@ class Film {
     Color standard_error(std::uint32_t x, std::uint32_t y) const;
 
     const FilmCounts& counts() const { return counts_; }
+    void add_counts(const FilmCounts& counts) { counts_ += counts; }
 
- private:
-    struct Pixel {
-        std::int64_t sum[3] = {0, 0, 0};
-        std::uint32_t sample_count = 0;
-    };
-
-    __extension__ using Wide = unsigned __int128;
-
-    /// Of each channel. A sample is below 2^48 in steps of 2^-32, its square below 2^96, and
-    /// kMaxSamples of them below 2^111.
-    struct Squares {
-        Wide sum[3] = {0, 0, 0};
-    };
+    Keeps keeps() const { return squares_.empty() ? Keeps::sums : Keeps::squares; }
 
     const Pixel& pixel(std::uint32_t x, std::uint32_t y) const {
         LRAY_DCHECK(x < width_ && y < height_);
         return pixels_[std::size_t{y} * width_ + x];
     }
 
+    /// Row by row from the top left; squares are empty if they are not kept.
+    std::span<const Pixel> pixels() const { return pixels_; }
+    std::span<const Squares> squares() const { return squares_; }
+    std::span<Pixel> pixels() { return pixels_; }
+    std::span<Squares> squares() { return squares_; }
+
+    /// Returns the part that begins at (x, y), without counts. Shape: it lies inside.
+    Film part(std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height) const;
+
+    /// Puts a part, without its counts, in the place of what is there. Shape: likewise; both keep
+    /// the same.
+    void set_part(std::uint32_t x, std::uint32_t y, const Film& part);
+
+    /// Adds the samples of another film, and its counts. Shape: of one size; both keep the same.
+    /// Errors: asserts that no pixel has more than kMaxSamples then.
+    void add_film(const Film& other);
+
+    /// Returns the means of all pixels.
+    image::Image picture() const;
+
+ private:
     static std::int64_t steps_of(float light, bool& is_clamped) {
         const float value = std::clamp(light, -kMaxValue, kMaxValue);
         is_clamped = is_clamped || value != light;
@@ -117,5 +146,10 @@ class Film {
     std::vector<Squares> squares_;  // empty if they are not kept
     FilmCounts counts_{};
 };
+
+/// What a film keeps where pixels end by their noise (SampleLimits), or do not.
+inline Film::Keeps film_keeps(const std::optional<double>& noise) {
+    return noise ? Film::Keeps::squares : Film::Keeps::sums;
+}
 
 }  // namespace lray::render

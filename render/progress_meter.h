@@ -13,9 +13,9 @@ namespace lray::render {
 
 class ProgressMeter {
  public:
-    /// `total` is what there is to do and the limits; nothing of it is done.
+    /// `total` is what there is to do and the limits; nothing of it is done but what was kept.
     ProgressMeter(const RenderProgress& total, const ProgressFunction& on_progress)
-        : total_(total), on_progress_(on_progress) {}
+        : total_(total), on_progress_(on_progress), done_samples_(total.kept_samples) {}
 
     void add(std::uint64_t sample_count, std::uint64_t finished_pixels) {
         done_pixels_ += finished_pixels;
@@ -46,7 +46,7 @@ class ProgressMeter {
     RenderProgress total_{};
     const ProgressFunction& on_progress_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    std::atomic<std::uint64_t> done_samples_{0};
+    std::atomic<std::uint64_t> done_samples_;
     std::atomic<std::uint64_t> done_pixels_{0};
     std::mutex mutex_;
     std::chrono::steady_clock::time_point next_report_{};

@@ -81,6 +81,10 @@ class Dumper {
     void run() {
         text_ = "lrs 1.0\n";
         write_views();
+        run_contents();
+    }
+
+    void run_contents() {
         text_ += surfaces_.definitions();
         for (const NodeId id : plan_.definitions) {
             text_ += fmt::format("let n{} = ", plan_.names[id.index()]);
@@ -354,6 +358,10 @@ class Dumper {
 
 void dump(const scene::Scene& scene, const TextSink& sink) {
     Dumper(scene, sink).run();
+}
+
+void dump_contents(const scene::Scene& scene, const TextSink& sink) {
+    Dumper(scene, sink).run_contents();
 }
 
 std::string dump(const scene::Scene& scene) {

@@ -18,6 +18,10 @@ using TextSink = std::function<void(std::string_view)>;
 /// directory of the original scene.
 void dump(const scene::Scene& scene, const TextSink& sink);
 
+/// Likewise, without what is said of pictures: cameras, the settings of renders, the animation and
+/// information. What is left is what there is to be seen.
+void dump_contents(const scene::Scene& scene, const TextSink& sink);
+
 std::string dump(const scene::Scene& scene);
 
 }  // namespace lray::parser

@@ -188,7 +188,7 @@ TEST(Options, FormatByOptionThenExtensionThenStdout) {
     EXPECT_NE(failed({"a.lrs", "-o", "a"}).help.find(".ppm, .png, .jpg or .pfm"),
               std::string::npos);
     EXPECT_EQ(failed({"a.lrs", "-o", "a", "--format", "gif"}).message,
-              "`--format` takes ppm, png, jpg or pfm, not `gif`");
+              "`--format` takes ppm, png, jpg, pfm or film, not `gif`");
 }
 
 TEST(Options, AbbreviationsAreRefusedWithTheWholeName) {

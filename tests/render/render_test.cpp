@@ -8,51 +8,18 @@
 #include <set>
 #include <vector>
 
-#include "base/angle.h"
 #include "render/sample_tracer.h"
+#include "tests/render/pattern_accel.h"
 
 namespace lray::render {
 namespace {
 
-using scene::PrimitiveId;
-using scene::PrimitiveKind;
-
-/// A pattern over all directions, so that every pixel's colour tells where its ray went.
-class PatternAccel : public bvh::Accel {
- public:
-    static constexpr int kStripes = 37;
-
-    bvh::Hit nearest_hit(const Ray& ray, Interval, bvh::TraceCounts& counts) const override {
-        ++counts.rays;
-        counts.primitive_tests += 3;
-        const float cell = std::floor(ray.dir.x * 91.0f) + 5.0f * std::floor(ray.dir.y * 53.0f);
-        const int stripe = static_cast<int>(std::fabs(cell)) % (kStripes + 1);
-        if (stripe == kStripes) return {};  // a miss: the background
-        return {1.0f, 0.0f, 0.0f,
-                PrimitiveId(PrimitiveKind::sphere, static_cast<std::size_t>(stripe))};
-    }
-    bool any_hit(const Ray& ray, Interval interval, bvh::TraceCounts& counts) const override {
-        return !nearest_hit(ray, interval, counts).is_none();
-    }
-
-    bvh::AccelStats stats() const override { return {}; }
-};
-
 class RenderTest : public testing::Test {
  protected:
     RenderTest() {
-        auto& object_ids = world_.object_ids[static_cast<std::size_t>(PrimitiveKind::sphere)];
-        for (std::size_t i = 0; i < PatternAccel::kStripes; ++i) {
-            object_ids.emplace_back(i);
-            world_.objects.emplace_back();
-            world_.objects.back().material = static_cast<std::uint32_t>(i);
-            world_.materials.emplace_back();
-            world_.materials.back().diffuse = Color{0.1f * static_cast<float>(i), 0.7f, 0.01f};
-        }
         options_.resolution = {101, 67};
         options_.shading.background = {0.25f, 0.5f, 1.0f};
         options_.thread_count = 1;
-        camera_.fov = radians(80.0);
     }
 
     void use_random_samples(std::uint32_t count) {
@@ -76,9 +43,9 @@ class RenderTest : public testing::Test {
         return render(world_, accel_, camera_, options_, on_progress, cancel_);
     }
 
-    scene::World world_;
+    scene::World world_ = pattern_world();
     PatternAccel accel_;
-    scene::Camera camera_;
+    scene::Camera camera_ = pattern_camera();
     RenderOptions options_;
     std::atomic<bool> cancel_{false};
 };

@@ -13,6 +13,7 @@
 #include "base/terminal_text.h"
 #include "cli/console.h"
 #include "cli/frames.h"
+#include "cli/named_file.h"
 #include "cli/picture_identity.h"
 
 namespace lray::cli {
@@ -46,29 +47,6 @@ void warn_unsaved(const std::string& path, const std::string& error) {
     print_warning(fmt::format("the state `{}` could not be saved: {}", path, error));
 }
 
-std::variant<render::StoredFilm, Failure> read_state(const std::string& path,
-                                                     const Options& options) {
-    const auto unusable = [&](std::string_view reason) {
-        return Failure{ExitCode::output,
-                       fmt::format("the state `{}` cannot be used: {}", path, reason),
-                       "remove it to begin anew"};
-    };
-    FileAccess files;
-    const std::uint64_t most_pixels =
-        std::min(options.max_output_pixels, std::uint64_t{1} << 40);  // no overflow below
-    ReadResult read = files.read_main(path, most_pixels * kMaxPixelSize + kMaxHeadSize);
-    if (read.status == ReadStatus::too_large) return unusable("it is too large");
-    if (read.status != ReadStatus::ok) {
-        return unusable(read.reason.empty() ? "it cannot be read" : read.reason);
-    }
-    std::string error;
-    const std::string_view text = read.text.view();
-    auto stored =
-        render::read_film(std::as_bytes(std::span(text)), options.max_output_pixels, error);
-    if (!stored) return unusable(error);
-    return std::move(*stored);
-}
-
 /// Why a state is not one to go on with; empty if it is.
 std::string why_another(const render::StoredFilm& stored,
                         const render::FilmDescription& description,
@@ -91,6 +69,19 @@ std::string why_another(const render::StoredFilm& stored,
 }
 
 }  // namespace
+
+std::variant<render::StoredFilm, std::string> read_film_file(const std::string& path,
+                                                             std::uint64_t max_pixels) {
+    FileAccess files;
+    const std::uint64_t most_pixels = std::min(max_pixels, std::uint64_t{1} << 40);  // no overflow
+    const ReadResult read = files.read_main(path, most_pixels * kMaxPixelSize + kMaxHeadSize);
+    if (read.status != ReadStatus::ok) return why_unread(read);
+    std::string error;
+    const std::string_view text = read.text.view();
+    auto stored = render::read_film(std::as_bytes(std::span(text)), max_pixels, error);
+    if (!stored) return error;
+    return std::move(*stored);
+}
 
 std::string state_path(std::string_view output_path) {
     return fmt::format("{}.state", output_path);
@@ -120,8 +111,13 @@ std::variant<FilmRun, Failure> FilmRun::begin(const Options& options, const View
     run.state_path_ = state_path(options.output_path);
     run.is_one_of_several_ = !options.frame_label.empty();
     if (is_there(run.state_path_)) {
-        auto read = read_state(run.state_path_, options);
-        if (auto* failure = std::get_if<Failure>(&read)) return std::move(*failure);
+        auto read = read_film_file(run.state_path_, options.max_output_pixels);
+        if (const auto* reason = std::get_if<std::string>(&read)) {
+            return Failure{
+                ExitCode::output,
+                fmt::format("the state `{}` cannot be used: {}", run.state_path_, *reason),
+                "remove it to begin anew"};
+        }
         auto& stored = std::get<render::StoredFilm>(read);
         const std::string why = why_another(stored, run.description_, render_options.samples);
         if (!why.empty()) {

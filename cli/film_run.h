@@ -19,6 +19,10 @@
 
 namespace lray::cli {
 
+/// Reads a film that the user named. Errors: why it cannot be, in words.
+std::variant<render::StoredFilm, std::string> read_film_file(const std::string& path,
+                                                             std::uint64_t max_pixels);
+
 /// "image.png" -> "image.png.state": where a render with --resume keeps its film.
 std::string state_path(std::string_view output_path);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -68,6 +69,20 @@ std::string why_another(const render::StoredFilm& stored,
     return {};
 }
 
+/// Where time or noise ends the render it is not known how much is left.
+void tell_going_on(const std::string& path, const render::Film& film,
+                   const render::RenderOptions& options) {
+    std::string share;
+    if (!options.limits.is_any()) {
+        std::uint64_t count = 0;
+        for (const auto& pixel : film.pixels()) count += pixel.sample_count;
+        const double whole = static_cast<double>(film.pixels().size()) * options.samples.count();
+        share = fmt::format(", which has {:.0f} % of the samples",
+                            std::floor(100.0 * static_cast<double>(count) / whole));
+    }
+    print_note(fmt::format("going on from `{}`{}", path, share));
+}
+
 }  // namespace
 
 std::variant<render::StoredFilm, std::string> read_film_file(const std::string& path,
@@ -126,7 +141,10 @@ std::variant<FilmRun, Failure> FilmRun::begin(const Options& options, const View
         }
         const bool has_pixels = stored.film.width() != 0;
         run.is_done_ = !has_pixels && is_there(options.output_path);
-        if (has_pixels) film = std::move(stored.film);
+        if (has_pixels) {
+            film = std::move(stored.film);
+            if (!options.quiet) tell_going_on(run.state_path_, film, render_options);
+        }
     }
     render::FilmDescription unfinished = run.description_;
     unfinished.is_complete = false;

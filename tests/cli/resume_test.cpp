@@ -90,6 +90,8 @@ TEST_F(Resume, CommentsThreadsAndHierarchyMayBeOthers) {
     directory_.write("scene.lrs", std::string("// the same scene\n") + kSlowScene);
     const auto result = run(command({"--threads", "2", "--accel", "spheres"}));
     EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(contains(result.err, "lray: note: going on from `image.png.state`, which has "))
+        << result.err;
     EXPECT_TRUE(directory_.read("image.png") == whole());
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/console.h"
 #include "cli/dependencies.h"
+#include "cli/diff_pictures.h"
 #include "cli/dump_scene.h"
 #include "cli/explain.h"
 #include "cli/format_files.h"
@@ -93,6 +94,8 @@ ExitCode run(std::span<const char* const> arguments) {
             return format_files(options);
         case Mode::explain:
             return explain(options.explained);
+        case Mode::diff:
+            return diff_pictures(options);
         case Mode::help:
             return print_requested(help_text());
         case Mode::version:

@@ -393,8 +393,8 @@ constexpr CodeInfo kInfos[] = {
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[1, 2, 3]]\n}",
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[0, 1, 2]]\n}"},
 {LRAY_CODE(E0703), "picture not understood",
- "The file is not a PNG, JPEG or binary PPM, it is damaged, or the picture is too large or too small for "
- "what it is to be.",
+ "The file is not a PNG, JPEG, PPM, PFM, Radiance HDR or OpenEXR picture, it is damaged, or the "
+ "picture is too large or too small for what it is to be.",
  "heightfield { image: \"notes.png\" }  // a text file",
  "heightfield { image: \"hills.png\", scale_y: 0.2 }"},
 {LRAY_CODE(E0704), "mesh without faces",
@@ -532,6 +532,12 @@ constexpr CodeInfo kInfos[] = {
  "Some faces of the mesh have no area or repeat a vertex; they are left out.",
  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2",
  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
+{LRAY_CODE(W1703), "picture with values that are no light",
+ "Some values of a picture in floats are negative, not a number, infinite, or above 1e9. The "
+ "first two are read as 0, the others as 1e9. Programs make such values when they sharpen or "
+ "divide; save the picture with values from 0 on.",
+ "environment { image: \"sky.exr\" }  // of which a pixel is infinite",
+ "environment { image: \"sky.exr\" }"},
 };
 // clang-format on
 

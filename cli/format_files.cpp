@@ -77,7 +77,7 @@ ExitCode format_one(const std::string& path, const Options& options) {
 
 ExitCode format_files(const Options& options) {
     ExitCode highest = ExitCode::done;
-    for (const std::string& path : options.formatted_paths) {
+    for (const std::string& path : options.paths) {
         highest = std::max(highest, format_one(path, options));
     }
     return highest;

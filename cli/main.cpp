@@ -8,6 +8,7 @@
 
 #include "cli/console.h"
 #include "cli/dependencies.h"
+#include "cli/diff_pictures.h"
 #include "cli/dump_scene.h"
 #include "cli/explain.h"
 #include "cli/film_run.h"
@@ -16,6 +17,7 @@
 #include "cli/interrupt.h"
 #include "cli/load_world.h"
 #include "cli/memory_limit.h"
+#include "cli/merge_parts.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/report.h"
@@ -100,6 +102,10 @@ ExitCode run(std::span<const char* const> arguments) {
             return format_files(options);
         case Mode::explain:
             return explain(options.explained);
+        case Mode::diff:
+            return diff_pictures(options);
+        case Mode::merge:
+            return merge_parts(options);
         case Mode::help:
             return print_requested(help_text());
         case Mode::version:

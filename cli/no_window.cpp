@@ -5,7 +5,7 @@
 namespace lray::cli {
 
 ExitCode show_window(const Options&) {
-    return report_failure({ExitCode::window, "this lray was built without the window",
+    return report_failure({ExitCode::unbuilt, "this lray was built without the window",
                            "write a picture instead: `-o image.png`"});
 }
 

@@ -232,7 +232,22 @@ std::string store_format(Options& options, std::string_view text) {
     options.format = image::find_format(text);
     return options.format || options.is_film
                ? std::string{}
-               : fmt::format("takes ppm, png, jpg, pfm or film, not `{}`", text);
+               : fmt::format("takes ppm, png, jpg, pfm, exr or film, not `{}`", text);
+}
+
+std::string store_png_bits(Options& options, std::string_view text) {
+    if (text != "8" && text != "16") return fmt::format("takes 8 or 16, not `{}`", text);
+    options.png_bits = text == "8" ? image::PngBits::eight : image::PngBits::sixteen;
+    return {};
+}
+
+std::string store_threshold(Options& options, std::string_view text) {
+    const auto levels = parse_decimal(text);
+    if (!levels || !(*levels >= 0.0 && *levels <= 255.0)) {
+        return fmt::format("takes levels from 0 to 255, not `{}`", text);
+    }
+    options.threshold = static_cast<float>(*levels);
+    return {};
 }
 
 std::string store_color(Options& options, std::string_view text) {

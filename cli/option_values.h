@@ -32,6 +32,8 @@ std::string store_quality(Options& options, std::string_view text);
 std::string store_shading(Options& options, std::string_view text);
 std::string store_stats(Options& options, std::string_view text);
 std::string store_format(Options& options, std::string_view text);
+std::string store_png_bits(Options& options, std::string_view text);
+std::string store_threshold(Options& options, std::string_view text);
 std::string store_color(Options& options, std::string_view text);
 std::string store_diagnostics(Options& options, std::string_view text);
 std::string store_definition(Options& options, std::string_view text);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "cli/commands.h"
 #include "cli/frames.h"
 #include "cli/option_table.h"
 #include "cli/option_values.h"
@@ -20,6 +21,7 @@ constexpr const char* kUsage = "lray -n 1 -i scene.lrs -o image.ppm";
 constexpr const char* kSeeHelp = "`lray --help` shows all options";
 constexpr std::size_t kMaxSuggestions = 3;
 constexpr std::uint64_t kMaxErrorsShown = 20;
+constexpr float kUsualThreshold = 1.5f;  // levels: what rounding to 8 bits may do is below
 
 Failure usage_error(std::string message, std::string help = kSeeHelp) {
     return {ExitCode::usage, std::move(message), std::move(help)};
@@ -62,7 +64,9 @@ Failure unknown_option(std::string_view argument, std::span<const OptionSpec* co
 /// Walks over the arguments with getopt; fills in what each says by itself.
 class ArgumentReader {
  public:
-    explicit ArgumentReader(std::span<const char* const> arguments) : specs_(all_specs()) {
+    /// The arguments of a command are those behind its name.
+    ArgumentReader(std::span<const char* const> arguments, const Command* command)
+        : specs_(all_specs()), command_(command) {
         arguments_.push_back(program_name_.data());
         // getopt's interface asks for char*, but it writes only when it permutes, which the "-" in
         // its option string turns off.
@@ -98,7 +102,7 @@ class ArgumentReader {
             }
         }
         // Only now it is known whether there may be several.
-        return options.is_formatting ? std::nullopt : too_many_scenes_;
+        return options.is_formatting || command_ != nullptr ? std::nullopt : too_many_scenes_;
     }
 
  private:
@@ -106,8 +110,11 @@ class ArgumentReader {
     static constexpr int kFirstSpec = 1000;   // beyond any character
 
     std::optional<Failure> take_scene(Options& options, std::string_view argument) {
-        if (argument.empty()) return usage_error("the scene's file name is empty");
-        options.formatted_paths.emplace_back(argument);
+        if (argument.empty()) {
+            return usage_error(command_ == nullptr ? "the scene's file name is empty"
+                                                   : "a file name is empty");
+        }
+        options.paths.emplace_back(argument);
         if (!options.scene_path.empty()) {
             if (!too_many_scenes_) too_many_scenes_ = two_scenes(options.scene_path, argument);
             return std::nullopt;
@@ -130,6 +137,9 @@ class ArgumentReader {
         const auto spec = std::find_if(specs_.begin(), specs_.end(), same_name);
         if (spec == specs_.end()) return unknown_option(argument, specs_);
         const std::string name = spelled((*spec)->name);
+        if (command_ != nullptr && !takes_option(*command_, (*spec)->name)) {
+            return usage_error(fmt::format("`lray {}` has no option `{}`", command_->name, name));
+        }
         if (found == ':') {
             return usage_error(
                 fmt::format("`{}` needs a value: `{} {}`", name, name, (*spec)->value));
@@ -143,12 +153,13 @@ class ArgumentReader {
             if (!too_many_scenes_) too_many_scenes_ = two_scenes(scene_before, options.scene_path);
         }
         if (options.scene_path != scene_before) {
-            options.formatted_paths.push_back(options.scene_path);
+            options.paths.push_back(options.scene_path);
         }
         return std::nullopt;
     }
 
     std::vector<const OptionSpec*> specs_;
+    const Command* command_ = nullptr;
     std::string program_name_ = "lray";
     std::vector<char*> arguments_;
     std::vector<option> table_;
@@ -203,8 +214,8 @@ std::optional<Failure> check_formatting(const Options& options) {
     if (options.only_lists_unformatted) {
         return usage_error("`--fmt --check` writes nothing; leave `-o` out");
     }
-    if (options.formatted_paths.size() == 1) return std::nullopt;
-    return usage_error(fmt::format("`-o` takes one scene, not {}", options.formatted_paths.size()),
+    if (options.paths.size() == 1) return std::nullopt;
+    return usage_error(fmt::format("`-o` takes one scene, not {}", options.paths.size()),
                        "without `-o` each is written in its place");
 }
 
@@ -228,7 +239,7 @@ std::optional<Failure> check_numbering(const Options& options) {
                        "put #### where the number of the frame belongs, like `-o out-####.png`");
 }
 
-std::optional<Failure> choose_format(Options& options) {
+std::optional<Failure> find_format(Options& options) {
     if (options.format || options.is_film) return std::nullopt;
     if (options.output_path == "-") {
         options.format = image::Format::ppm;
@@ -243,12 +254,51 @@ std::optional<Failure> choose_format(Options& options) {
     options.is_film = extension == kFilmFormat;
     if (options.format || options.is_film) return std::nullopt;
     const std::string help =
-        "end its name in .ppm, .png, .jpg or .pfm, or choose with `--format ppm|png|jpg|pfm`";
+        "end its name in .ppm, .png, .jpg, .pfm or .exr, or choose with "
+        "`--format ppm|png|jpg|pfm|exr`";
     if (extension.empty()) {
         return usage_error(
             fmt::format("`{}` has no extension that names a format", options.output_path), help);
     }
     return usage_error(fmt::format("no picture format is called `{}`", extension), help);
+}
+
+std::optional<Failure> choose_format(Options& options) {
+    if (auto failure = find_format(options)) return failure;
+    if (options.is_film || image::is_built(*options.format)) return std::nullopt;
+    return Failure{ExitCode::unbuilt, "this lray was built without OpenEXR",
+                   "PFM holds the same light: `-o image.pfm`"};
+}
+
+/// Options of a format that is not written.
+void warn_of_format(Options& options) {
+    const auto warn = [&](std::string_view option, image::Format format) {
+        if (options.format == format) return;
+        const std::string_view chosen =
+            options.is_film ? kFilmFormat : image::format_name(*options.format);
+        options.warnings.push_back(fmt::format("`{}` is ignored: the picture is {}, not {}", option,
+                                               chosen, image::format_name(format)));
+    };
+    if (options.png_bits) warn("--png-bits", image::Format::png);
+    if (options.jpeg_quality) warn("--jpeg-quality", image::Format::jpg);
+}
+
+/// What a command has to be told.
+std::optional<Failure> finish_command(const Command& command, Options& options) {
+    if (auto failure = check_paths(command, options.paths.size())) return failure;
+    options.threshold = options.threshold.value_or(kUsualThreshold);
+    if (options.output_path.empty()) {
+        if (command.mode == Mode::diff) return std::nullopt;
+        return usage_error(
+            fmt::format("`lray {}` writes a file; say where with `-o`", command.name),
+            std::string(command.example));
+    }
+    if (auto failure = choose_format(options)) return failure;
+    if (options.is_film && command.mode == Mode::diff) {
+        return usage_error("a difference is a picture, no film", "end the name in .png");
+    }
+    warn_of_format(options);
+    return std::nullopt;
 }
 
 std::optional<Failure> check_samples(const Options& options) {
@@ -324,11 +374,20 @@ void warn_of_ignored(Options& options) {
 
 std::variant<Options, Failure> parse_options(std::span<const char* const> arguments) {
     Options options;
-    if (auto failure = ArgumentReader(arguments).read(options)) return *failure;
+    const Command* const command = arguments.empty() ? nullptr : find_command(arguments[0]);
+    if (command != nullptr) {
+        options.mode = command->mode;
+        arguments = arguments.subspan(1);
+    }
+    if (auto failure = ArgumentReader(arguments, command).read(options)) return *failure;
     switch (options.mode) {
         case Mode::explain:
         case Mode::help:
         case Mode::version:
+            return options;
+        case Mode::diff:
+        case Mode::merge:
+            if (auto failure = finish_command(*command, options)) return *failure;
             return options;
         case Mode::check:
         case Mode::deps:
@@ -338,12 +397,15 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
         case Mode::window:
             break;
     }
+    if (options.threshold) {
+        return usage_error("`--threshold` is an option of `lray diff`", "lray diff a.png b.png");
+    }
     const bool is_text = options.diagnostics_format == DiagnosticsFormat::text;
     if (!options.max_errors) options.max_errors = is_text ? kMaxErrorsShown : 0;
     if (options.is_formatting) {
         options.only_lists_unformatted = options.mode == Mode::check;
         options.mode = Mode::format;
-        if (options.formatted_paths.empty()) {
+        if (options.paths.empty()) {
             return usage_error("no scene is given", "lray --fmt scene.lrs");
         }
         if (auto failure = check_formatting(options)) return *failure;
@@ -371,6 +433,7 @@ std::variant<Options, Failure> parse_options(std::span<const char* const> argume
     if (auto failure = check_film(options)) return *failure;
     if (auto failure = check_resume(options)) return *failure;
     apply_level(options);
+    warn_of_format(options);
     warn_of_ignored(options);
     return options;
 }
@@ -386,6 +449,11 @@ std::string help_text() {
         "       lray --fmt scene.lrs\n\n"
         "Options may have one or two dashes; the last one given counts.\n",
         LRAY_VERSION, kUsage);
+    text += "\nCommands:\n";
+    for (const Command& command : commands()) {
+        text += fmt::format("  {:<24} {}\n", fmt::format("{} {}", command.name, command.arguments),
+                            command.help);
+    }
     for (const OptionGroup& group : option_groups()) {
         text += fmt::format("\n{}:\n", group.title);
         for (std::size_t i = 0; i < group.options.size(); ++i) {

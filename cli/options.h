@@ -29,6 +29,8 @@ enum class Mode : std::uint8_t {
     dump,
     deps,
     explain,
+    diff,
+    merge,
     help,
     version
 };
@@ -52,9 +54,9 @@ struct Options {
     std::string output_path{};  // "-" is stdout
     std::string explained{};    // the code or topic that --explain asks for
 
-    bool is_formatting = false;                  // --fmt, whatever else is asked for
-    bool only_lists_unformatted = false;         // --fmt --check
-    std::vector<std::string> formatted_paths{};  // of --fmt, in order
+    bool is_formatting = false;           // --fmt, whatever else is asked for
+    bool only_lists_unformatted = false;  // --fmt --check
+    std::vector<std::string> paths{};     // of --fmt and of commands, in order
 
     std::optional<std::uint32_t> level{};
     std::optional<std::uint32_t> samples{};             // -ps: rays per pixel
@@ -67,7 +69,10 @@ struct Options {
     bool is_film = false;                   // -o takes the film, in place of a picture
     bool is_resuming = false;               // --resume
     double save_seconds = 30.0;             // --save-every: between two states of --resume
-    std::optional<bvh::AccelKind> accel{};  // set once parsed, by the level if it is not given
+    std::optional<image::PngBits> png_bits{};
+    std::optional<int> jpeg_quality{};
+    std::optional<float> threshold{};            // of diff, in levels; always set once parsed
+    std::optional<bvh::AccelKind> accel{};       // set once parsed, by the level if it is not given
     std::optional<bvh::BuildQuality> quality{};  // of boxes; medium if it is not given
     render::PixelPosition position = render::PixelPosition::random;  // by the level
     std::optional<shade::Shader> shader{};  // set once parsed at level 1; else the scene decides
@@ -103,7 +108,9 @@ inline constexpr std::string_view kFilmFormat = "film";
 /// Reads the arguments (without the program's name). Every option may have one or two dashes and
 /// its value in the next argument or after `=`; names are never abbreviated; the last one given
 /// counts. --help, --version and --explain need nothing else.
-/// Errors: a usage error for what is unknown, missing or does not go together.
+/// A first argument that names a command (commands.h) is followed by its files.
+/// Errors: a usage error for what is unknown, missing or does not go together; ExitCode::unbuilt
+/// for a format that lray was built without.
 std::variant<Options, Failure> parse_options(std::span<const char* const> arguments);
 
 /// What --help prints.

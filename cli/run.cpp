@@ -195,7 +195,7 @@ render::RenderResult render_view(const View& view, const scene::World& world,
 
 image::Image for_file(image::Image light, const image::DisplaySettings& display,
                       const Options& options) {
-    if (options.format == image::Format::pfm) return light;  // which holds the light itself
+    if (options.format && image::holds_light(*options.format)) return light;
     return image::displayed(std::move(light), display);
 }
 
@@ -203,7 +203,10 @@ std::optional<Failure> write_picture(OutputFile output, const image::Image& pict
                                      image::Gamma gamma, image::Metadata metadata,
                                      const Options& options) {
     std::string error;
-    if (!write_image(output, picture, *options.format, gamma, metadata, error)) {
+    image::WriteSettings settings;
+    settings.png_bits = options.png_bits.value_or(settings.png_bits);
+    settings.jpeg_quality = options.jpeg_quality.value_or(settings.jpeg_quality);
+    if (!write_image(output, picture, *options.format, gamma, metadata, error, settings)) {
         return output_failure(error);
     }
     if (!output.commit()) return output_failure(output.error());

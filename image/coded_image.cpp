@@ -10,6 +10,24 @@ Image decode_srgb(const CodedImage& coded) {
     return image;
 }
 
+Image decode_srgb(const DeepImage& deep) {
+    Image image(deep.width, deep.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        image.pixels[i] = {srgb_decode_16(deep.rgb[3 * i]), srgb_decode_16(deep.rgb[3 * i + 1]),
+                           srgb_decode_16(deep.rgb[3 * i + 2])};
+    }
+    return image;
+}
+
+CodedImage rounded_to_8(const DeepImage& deep) {
+    CodedImage coded{deep.width, deep.height, {}};
+    coded.rgb.reserve(deep.rgb.size());
+    for (const std::uint32_t code : deep.rgb) {
+        coded.rgb.push_back(static_cast<std::uint8_t>((code + 128) / 257));
+    }
+    return coded;
+}
+
 Color mean_color(const CodedImage& coded, bool is_srgb) {
     LRAY_ASSERT(!coded.rgb.empty());
     std::array<std::array<std::uint64_t, 256>, 3> counts{};

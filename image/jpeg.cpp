@@ -26,6 +26,10 @@ namespace {
 // of its 3 components comes in at most 2 bands usually, and a bit deeper at most 13 times. Each
 // scan costs a pass over all pixels, however few bytes it has.
 constexpr int kMaxScans = 64;
+// What may be passed over in all: a picture of 2^24 pixels may have all 64 scans, and the largest
+// as many as encoders make.
+constexpr std::uint64_t kMaxScannedPixels = std::uint64_t{1} << 30;
+constexpr int kUsualScans = 16;
 constexpr std::size_t kBatchSize = std::size_t{1} << 16;  // bytes handed to the file at a time
 constexpr std::size_t kMaxCommentSize = 65533;            // the length field counts itself
 constexpr int kSharpColorQuality = 90;
@@ -36,6 +40,7 @@ struct Failure {
     std::jmp_buf target{};
     std::array<char, JMSG_LENGTH_MAX> message{};
     int code = 0;
+    int max_scans = kMaxScans;
     bool has_too_many_scans = false;
 };
 
@@ -56,8 +61,9 @@ static void on_message(j_common_ptr jpeg, int level) {
 /// Called every few rows.
 static void on_progress(j_common_ptr jpeg) {
     const auto& decompressor = *reinterpret_cast<jpeg_decompress_struct*>(jpeg);
-    if (decompressor.input_scan_number > kMaxScans) {
-        reinterpret_cast<Failure*>(jpeg->err)->has_too_many_scans = true;
+    auto& failure = *reinterpret_cast<Failure*>(jpeg->err);
+    if (decompressor.input_scan_number > failure.max_scans) {
+        failure.has_too_many_scans = true;
         on_error(jpeg);
     }
 }
@@ -113,8 +119,9 @@ struct Reader {
     /// What is wrong, in words.
     std::string reason() const {
         if (failure.has_too_many_scans) {
-            return fmt::format("it has more than {} scans, which no picture needs; save it anew",
-                               kMaxScans);
+            return fmt::format("it has more than {} scans, which no {} needs; save it anew",
+                               failure.max_scans,
+                               failure.max_scans == kMaxScans ? "picture" : "picture of its size");
         }
         switch (failure.code) {
             case JWRN_JPEG_EOF:
@@ -220,6 +227,12 @@ struct Writer {
     }
 };
 
+/// How many scans a picture may have. Shape: at least one pixel.
+int max_scans(std::uint64_t pixel_count) {
+    return static_cast<int>(
+        std::clamp<std::uint64_t>(kMaxScannedPixels / pixel_count, kUsualScans, kMaxScans));
+}
+
 /// Says why pictures of a kind are not read; empty if they are.
 std::string_view refusal_of(J_COLOR_SPACE colors) {
     switch (static_cast<int>(colors)) {
@@ -282,6 +295,7 @@ std::optional<CodedImage> read_jpeg(std::span<const std::byte> file, const ReadL
     }
     CodedImage image{reader.jpeg.image_width, reader.jpeg.image_height, {}};
     if (!limits.allow(image.width, image.height, error)) return std::nullopt;
+    reader.failure.max_scans = max_scans(std::uint64_t{image.width} * image.height);
     image.rgb.resize(std::size_t{3} * image.width * image.height);
     if (!reader.read_rows(image.rgb.data())) {
         error = reader.reason();

@@ -1,4 +1,4 @@
-// Portable Network Graphics: 8-bit RGB, marked as sRGB or as linear.
+// Portable Network Graphics: RGB of 8 or 16 bits, marked as sRGB or as linear.
 #pragma once
 
 #include <cstddef>
@@ -20,15 +20,15 @@ namespace lray::image {
 /// characters the format allows. No time is stored. Asserts a picture of at least one pixel.
 /// Errors: false, and `error` tells why in words.
 bool write_png(OutputFile& out, const Image& image, Gamma gamma, Metadata metadata,
-               std::string& error);
+               std::string& error, PngBits bits = PngBits::eight);
 
 /// True if the file begins with the signature of a PNG.
 bool is_png(std::span<const std::byte> file);
 
-/// Reads any PNG as 8-bit RGB: palettes are looked up, greys spread, 16 bits rounded to 8,
-/// transparency dropped.
-/// Errors: empty, and `error` tells why in words.
-std::optional<CodedImage> read_png(std::span<const std::byte> file, const ReadLimits& limits,
-                                   std::string& error);
+/// Reads any PNG as RGB, of 16 bits if it has so many, else of 8: palettes are looked up, greys
+/// spread, transparency dropped. Text and colour profiles are skipped, not unpacked.
+/// Errors: empty, and `error` tells why in words; also for damage that others read over.
+std::optional<Codes> read_png(std::span<const std::byte> file, const ReadLimits& limits,
+                              std::string& error);
 
 }  // namespace lray::image

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <limits>
 #include <string_view>
 #include <vector>
 
+#include "image/netpbm_header.h"
 #include "image/srgb.h"
 
 namespace lray::image {
@@ -14,56 +15,74 @@ namespace lray::image {
 namespace {
 
 constexpr std::size_t kBatchSize = std::size_t{1} << 16;  // bytes handed to the file at a time
+constexpr std::uint32_t kMostMaximum = 65535;
 
-bool is_space(char c) {
-    return c == ' ' || (c >= '\t' && c <= '\r');
+struct Header {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint32_t maximum = 0;
+    std::uint64_t channel_count = 3;  // in the file
+    bool is_binary = true;
+
+    std::uint64_t sample_count() const { return channel_count * width * height; }
+};
+
+/// Hands each sample of a binary file to `put`; those beyond the maximum are the maximum.
+/// Shape: as many samples as the bytes hold.
+template <class Put>
+void each_sample(const Header& header, std::string_view bytes, const Put& put) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
+    const std::uint64_t count = header.sample_count();
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const std::uint32_t sample =
+            header.maximum < 256 ? byte(i) : std::uint32_t{byte(2 * i)} * 256u + byte(2 * i + 1);
+        put(std::min(sample, header.maximum));
+    }
 }
 
-/// Walks over the header: the magic number and three numbers, divided by white space and comments.
-class HeaderReader {
+/// Adds samples as codes from 0 to `most`, greys three times.
+template <class Code>
+class CodeAdder {
  public:
-    explicit HeaderReader(std::string_view text) : text_(text) {}
-
-    bool take_magic() {
-        if (!text_.starts_with("P6")) return false;
-        at_ = 2;
-        return true;
+    CodeAdder(const Header& header, Code most, std::vector<Code>& rgb)
+        : header_(header), most_(most), rgb_(rgb) {
+        rgb_.reserve(std::size_t{3} * header.width * header.height);
     }
 
-    std::optional<std::uint32_t> take_number() {
-        const std::size_t before = at_;
-        skip_space();
-        if (at_ == before) return std::nullopt;
-        std::uint32_t number = 0;
-        const char* const end = text_.data() + text_.size();
-        const auto [rest, code] = std::from_chars(text_.data() + at_, end, number);
-        if (code != std::errc{}) return std::nullopt;
-        at_ = static_cast<std::size_t>(rest - text_.data());
-        return number;
-    }
-
-    /// One white space divides the header from the pixels; returns what follows it.
-    std::optional<std::string_view> take_pixels() {
-        if (at_ >= text_.size() || !is_space(text_[at_])) return std::nullopt;
-        return text_.substr(at_ + 1);
+    void operator()(std::uint32_t sample) const {
+        const std::uint32_t code = (sample * most_ + header_.maximum / 2) / header_.maximum;
+        rgb_.insert(rgb_.end(), header_.channel_count == 1 ? 3 : 1, static_cast<Code>(code));
     }
 
  private:
-    void skip_space() {
-        while (at_ < text_.size()) {
-            if (text_[at_] == '#') {
-                at_ = std::min(text_.find('\n', at_), text_.size());
-            } else if (is_space(text_[at_])) {
-                ++at_;
-            } else {
-                return;
-            }
-        }
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
+    const Header& header_;
+    std::uint32_t most_;
+    std::vector<Code>& rgb_;
 };
+
+/// Reads the samples, whose size is known to be there. Empty: `error` tells why.
+template <class Picture>
+std::optional<Codes> read_samples(const Header& header, NetpbmHeader& file, std::string& error) {
+    Picture picture{header.width, header.height, {}};
+    using Code = typename decltype(picture.rgb)::value_type;
+    const CodeAdder<Code> add(header, std::numeric_limits<Code>::max(), picture.rgb);
+    if (header.is_binary) {
+        each_sample(header, *file.take_pixels(), add);
+        return picture;
+    }
+    for (std::uint64_t i = 0; i < header.sample_count(); ++i) {
+        const auto sample = file.take_number<std::uint32_t>();
+        if (!sample) {
+            error = file.rest_size() == 0
+                        ? fmt::format("the PPM file ends early: {} of {} numbers of pixels", i,
+                                      header.sample_count())
+                        : std::string("among the numbers of the PPM file is something else");
+            return std::nullopt;
+        }
+        add(std::min(*sample, header.maximum));
+    }
+    return picture;
+}
 
 }  // namespace
 
@@ -82,34 +101,47 @@ bool write_ppm(OutputFile& out, const Image& image, Gamma gamma) {
     return true;
 }
 
-std::optional<CodedImage> read_ppm(std::span<const std::byte> file, const ReadLimits& limits,
-                                   std::string& error) {
-    HeaderReader header({reinterpret_cast<const char*>(file.data()), file.size()});
-    if (!header.take_magic()) {
-        error = "this is not a binary PPM (P6) file";
+bool is_ppm(std::span<const std::byte> file) {
+    if (file.size() < 2 || file[0] != std::byte{'P'}) return false;
+    const char kind = static_cast<char>(file[1]);
+    return kind == '2' || kind == '3' || kind == '5' || kind == '6';
+}
+
+std::optional<Codes> read_ppm(std::span<const std::byte> file, const ReadLimits& limits,
+                              std::string& error) {
+    if (!is_ppm(file)) {
+        error = "this is not a PPM or PGM (P6, P5, P3, P2) file";
         return std::nullopt;
     }
-    const auto width = header.take_number();
-    const auto height = header.take_number();
-    const auto maximum = header.take_number();
-    const auto pixels = header.take_pixels();
+    NetpbmHeader reader(file);
+    reader.skip_magic();
+    const char kind = static_cast<char>(file[1]);
+    const auto width = reader.take_number<std::uint32_t>();
+    const auto height = reader.take_number<std::uint32_t>();
+    const auto maximum = reader.take_number<std::uint32_t>();
+    const auto pixels = reader.take_pixels();
     if (!width || !height || !maximum || !pixels || *width == 0 || *height == 0) {
         error = "the PPM header needs a width, a height and a maximum";
         return std::nullopt;
     }
-    if (*maximum != 255) {
-        error = fmt::format("the PPM maximum is {}; only 255 is read", *maximum);
+    const Header header{*width, *height, *maximum, kind == '3' || kind == '6' ? 3u : 1u,
+                        kind >= '5'};
+    if (header.maximum == 0 || header.maximum > kMostMaximum) {
+        error = fmt::format("the PPM maximum is {}; it is 1 to {}", header.maximum, kMostMaximum);
         return std::nullopt;
     }
-    if (!limits.allow(*width, *height, error)) return std::nullopt;
-    const std::uint64_t needed = std::uint64_t{3} * *width * *height;
+    if (!limits.allow(header.width, header.height, error)) return std::nullopt;
+    const std::uint64_t sample_size = header.maximum < 256 ? 1 : 2;
+    // A number and what divides it from the next take two characters, but the last one.
+    const std::uint64_t needed =
+        header.is_binary ? sample_size * header.sample_count() : 2 * header.sample_count() - 1;
     if (pixels->size() < needed) {
         error = fmt::format("the PPM file ends early: {} of {} bytes of pixels", pixels->size(),
                             needed);
         return std::nullopt;
     }
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels->data());
-    return CodedImage{*width, *height, {bytes, bytes + needed}};
+    return sample_size == 1 ? read_samples<CodedImage>(header, reader, error)
+                            : read_samples<DeepImage>(header, reader, error);
 }
 
 }  // namespace lray::image

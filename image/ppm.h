@@ -1,4 +1,4 @@
-// Portable pixmaps, binary (P6) with 8 bits a channel.
+// Portable pixmaps: written in binary (P6) with 8 bits a channel, read in all kinds with levels.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,13 @@ namespace lray::image {
 /// Errors: false; out.error() tells why.
 bool write_ppm(OutputFile& out, const Image& image, Gamma gamma);
 
-/// Reads a P6 picture with a maximum of 255; comments in the header are skipped.
+/// True if the file begins like a PPM or PGM.
+bool is_ppm(std::span<const std::byte> file);
+
+/// Reads colours (P6, P3) and greys (P5, P2), binary or in decimal numbers. A maximum to 255 is
+/// spread to 8 bits, one to 65535 to 16; comments are skipped.
 /// Errors: empty, and `error` tells why in words.
-std::optional<CodedImage> read_ppm(std::span<const std::byte> file, const ReadLimits& limits,
-                                   std::string& error);
+std::optional<Codes> read_ppm(std::span<const std::byte> file, const ReadLimits& limits,
+                              std::string& error);
 
 }  // namespace lray::image

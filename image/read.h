@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "image/coded_image.h"
 #include "image/image.h"
+#include "image/pixels.h"
 
 namespace lray::image {
 
@@ -20,14 +20,14 @@ struct ReadLimits {
     bool allow(std::uint32_t width, std::uint32_t height, std::string& error) const;
 };
 
-/// Decodes a PPM, PNG or JPEG file, told apart by its first bytes, to 8-bit codes.
-/// Errors: empty, and `error` tells why in words. A picture beyond the limits is refused by its
-/// header.
-std::optional<CodedImage> read_coded_image(std::span<const std::byte> file,
-                                           const ReadLimits& limits, std::string& error);
+/// Decodes a picture file, its format told by its first bytes: PNG, JPEG, PPM and PGM to 8-bit
+/// codes (those of 16 are rounded), PFM, Radiance HDR and OpenEXR to light. Errors: empty, and
+/// `error` tells why in words. A picture beyond the limits is refused by its header.
+std::optional<Pixels> read_pixels(std::span<const std::byte> file, const ReadLimits& limits,
+                                  std::string& error);
 
-/// Likewise, to linear pixels.
-/// Errors: empty, and `error` tells why in words.
+/// Likewise, all to linear pixels: codes as sRGB, 16 bits as they are.
+/// Errors: as read_pixels().
 std::optional<Image> read_image(std::span<const std::byte> file, const ReadLimits& limits,
                                 std::string& error);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <vector>
 
 #include "base/assert.h"
 #include "base/numerics.h"
@@ -24,6 +25,26 @@ double power_2_4(double x) {
         y -= (y4 * y - square) / (5.0 * y4);
     }
     return square * y;
+}
+
+/// Returns x^(1/2.4) for x in (0.003, 1]: Newton's method for y^12 = x^5, begun at float precision;
+/// a step leaves about 12 times the square of that error.
+double root_2_4(double x) {
+    const double square = x * x;
+    const double power = square * square * x;
+    double y = static_cast<double>(std::pow(static_cast<float>(x), 1.0f / 2.4f));
+    const double y3 = y * y * y;
+    const double y11 = y3 * y3 * y3 * (y * y);
+    y -= (y11 * y - power) / (12.0 * y11);
+    return y;
+}
+
+std::vector<float> make_decode_table_16() {
+    std::vector<float> table(65536);
+    for (std::size_t code = 0; code < table.size(); ++code) {
+        table[code] = static_cast<float>(srgb_decode(static_cast<double>(code) / 65535.0));
+    }
+    return table;
 }
 
 std::array<float, 256> make_decode_table() {
@@ -103,6 +124,19 @@ std::uint8_t linear_encode_8(float linear) {
     return static_cast<std::uint8_t>(std::min(linear, 1.0f) * 255.0f + 0.5f);
 }
 
+std::uint16_t srgb_encode_16(float linear) {
+    if (!(linear > 0.0f)) return 0;
+    if (linear >= 1.0f) return 65535;
+    const double x{linear};
+    const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * root_2_4(x) - 0.055;
+    return static_cast<std::uint16_t>(encoded * 65535.0 + 0.5);
+}
+
+std::uint16_t linear_encode_16(float linear) {
+    if (!(linear > 0.0f)) return 0;
+    return static_cast<std::uint16_t>(std::min(double{linear}, 1.0) * 65535.0 + 0.5);
+}
+
 double srgb_decode(double encoded) {
     if (!(encoded > 0.0)) return 0.0;
     if (encoded >= 1.0) return 1.0;
@@ -119,6 +153,29 @@ std::uint8_t srgb_encode_8(float linear) {
 float srgb_decode_8(std::uint8_t code) {
     static const std::array<float, 256> table = make_decode_table();
     return table[code];
+}
+
+float srgb_decode_16(std::uint16_t code) {
+    static const std::vector<float> table = make_decode_table_16();
+    return table[code];
+}
+
+void encode_row_16(std::span<const Color> pixels, Gamma gamma, std::span<std::uint8_t> bytes) {
+    const auto encode = gamma == Gamma::srgb ? srgb_encode_16 : linear_encode_16;
+    LRAY_ASSERT(bytes.size() == 6 * pixels.size());
+    Color last{0.0f};
+    std::array<std::uint8_t, 6> code{};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (pixels[i] != last) {
+            last = pixels[i];
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                const std::uint16_t number = encode(last[static_cast<int>(channel)]);
+                code[2 * channel] = static_cast<std::uint8_t>(number >> 8);
+                code[2 * channel + 1] = static_cast<std::uint8_t>(number & 0xff);
+            }
+        }
+        std::copy(code.begin(), code.end(), bytes.begin() + static_cast<std::ptrdiff_t>(6 * i));
+    }
 }
 
 void encode_row(std::span<const Color> pixels, Gamma gamma, std::span<std::uint8_t> bytes) {

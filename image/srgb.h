@@ -25,12 +25,22 @@ std::uint8_t srgb_encode_8(float linear);
 /// A linear value in 8 bits as it is, rounded to nearest; clamps, NaN becomes 0.
 std::uint8_t linear_encode_8(float linear);
 
-/// The linear value that the 8-bit code stands for.
+/// Encoded sRGB in 16 bits, and a linear value as it is: of the exact value times 65535 the nearest
+/// whole number. Both clamp; NaN becomes 0.
+std::uint16_t srgb_encode_16(float linear);
+std::uint16_t linear_encode_16(float linear);
+
+/// The linear value that the code stands for.
 float srgb_decode_8(std::uint8_t code);
+float srgb_decode_16(std::uint16_t code);
 
 /// Encodes a row of pixels as bytes R G B R G B ...
 /// Shape: bytes.size() == 3 * pixels.size().
 void encode_row(std::span<const Color> pixels, Gamma gamma, std::span<std::uint8_t> bytes);
+
+/// Encodes a row in 16 bits, the higher byte of each code first.
+/// Shape: bytes.size() == 6 * pixels.size().
+void encode_row_16(std::span<const Color> pixels, Gamma gamma, std::span<std::uint8_t> bytes);
 
 /// Decodes bytes R G B R G B ... into linear pixels. Shape: as encode_row().
 void srgb_decode_row(std::span<const std::uint8_t> bytes, std::span<Color> pixels);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "image/exr.h"
 #include "image/jpeg.h"
 #include "image/pfm.h"
 #include "image/png.h"
@@ -39,8 +40,18 @@ std::string_view format_name(Format format) {
             return "jpg";
         case Format::pfm:
             return "pfm";
+        case Format::exr:
+            return "exr";
     }
     LRAY_ASSERT(false);
+}
+
+bool holds_light(Format format) {
+    return format == Format::pfm || format == Format::exr;
+}
+
+bool is_built(Format format) {
+    return format != Format::exr || is_exr_built();
 }
 
 std::string_view extension(std::string_view path) {
@@ -53,20 +64,22 @@ std::string_view extension(std::string_view path) {
 }
 
 bool write_image(OutputFile& out, const Image& image, Format format, Gamma gamma, Metadata metadata,
-                 std::string& error, int jpeg_quality) {
+                 std::string& error, const WriteSettings& settings) {
     switch (format) {
         case Format::ppm:
             if (write_ppm(out, image, gamma)) return true;
             error = out.error();
             return false;
         case Format::png:
-            return write_png(out, image, gamma, metadata, error);
+            return write_png(out, image, gamma, metadata, error, settings.png_bits);
         case Format::jpg:
-            return write_jpeg(out, image, gamma, metadata, jpeg_quality, error);
+            return write_jpeg(out, image, gamma, metadata, settings.jpeg_quality, error);
         case Format::pfm:
             if (write_pfm(out, image)) return true;
             error = out.error();
             return false;
+        case Format::exr:
+            return write_exr(out, image, metadata, error);
     }
     LRAY_ASSERT(false);
 }

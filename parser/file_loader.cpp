@@ -29,8 +29,9 @@ std::string_view ending_among(std::string_view path, std::span<const std::string
 
 /// The ending of a file name when it is that of a picture format that is not read; empty otherwise.
 std::string_view other_picture_format(std::string_view path) {
-    constexpr std::array<std::string_view, 10> kOthers = {
-        ".avif", ".bmp", ".exr", ".gif", ".hdr", ".heic", ".pfm", ".tga", ".tiff", ".webp"};
+    constexpr std::array<std::string_view, 12> kOthers = {".avif", ".bmp", ".dds",  ".gif",
+                                                          ".heic", ".jp2", ".jxl",  ".pbm",
+                                                          ".tga",  ".tif", ".tiff", ".webp"};
     return ending_among(path, kOthers);
 }
 
@@ -223,7 +224,7 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
         diagnostics_
             .error(Code::E0705, span,
                    fmt::format("`{}` files are not read by this version", format))
-            .with_help("save the picture as PNG or JPEG");
+            .with_help("save the picture as PNG, JPEG, Radiance HDR or OpenEXR");
         return std::nullopt;
     }
     const std::optional<Found> found = read({path, span, Span{}, texture_limit_}, from);
@@ -232,8 +233,8 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
     const std::string_view text = sources_[file].text.view();
     std::string mistake;
     image::ReadLimits pixels{texture_pixels_left_};
-    std::optional<image::CodedImage> image =
-        image::read_coded_image(std::as_bytes(std::span(text)), pixels, mistake);
+    std::optional<image::Pixels> image =
+        image::read_pixels(std::as_bytes(std::span(text)), pixels, mistake);
     sources_.release_text(file);
     if (!image && pixels.is_exceeded) {
         const bool is_first = texture_pixels_left_ == limits_.texture_pixels;
@@ -248,7 +249,8 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
         diagnostics_.error(Code::E0703, span, fmt::format("`{}`: {}", path, mistake));
         return std::nullopt;
     }
-    texture_pixels_left_ -= std::uint64_t{image->width} * image->height;
+    texture_pixels_left_ -= std::uint64_t{image::width_of(*image)} * image::height_of(*image);
+    if (auto* const light = std::get_if<image::Image>(&*image)) warn_of_mended(*light, path, span);
     scene::Picture picture;
     picture.srgb_mean = image::mean_color(*image, true);
     picture.linear_mean = image::mean_color(*image, false);
@@ -257,6 +259,16 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
     const scene::PictureId id(scene.pictures.size());
     scene.pictures.push_back(std::move(picture));
     return id;
+}
+
+void FileLoader::warn_of_mended(image::Image& light, std::string_view path, Span span) {
+    const std::uint64_t count = image::mend_light(light);
+    if (count == 0) return;
+    diagnostics_.warning(
+        Code::W1703, span,
+        fmt::format("`{}`: {} of its {} pixels {} not light: negative, not finite or above {:g}",
+                    path, count, light.pixels.size(), count == 1 ? "is" : "are",
+                    double{image::kMostPictureLight}));
 }
 
 std::optional<scene::MeshId> FileLoader::read_mesh(scene::MeshFormat format, SourceId file,

@@ -46,20 +46,22 @@ class FileLoader {
     std::optional<scene::MeshId> mesh(std::string_view path, SourceId from, Span span,
                                       scene::Scene& scene);
 
-    /// Decodes a PNG or PPM file of heights named at `span` in the source `from`. It counts as a
+    /// Decodes a picture file of heights named at `span` in the source `from`. It counts as a
     /// mesh file.
     /// Errors: empty, reported at `span`: E0601 and its like, E0703 not a picture, or too large.
     std::optional<image::Image> heights(std::string_view path, SourceId from, Span span);
-    /// Returns the picture of a PNG or PPM file named at `span` in the source `from`.
+
+    /// Returns the picture of a file named at `span` in the source `from`.
     /// Errors: empty, reported at `span`: E0516 beyond the limits, which the header tells, E0601
-    /// and its like, E0703 what is wrong in the file, E0705 another format; the same file again is
-    /// silent.
+    /// and its like, E0703 what is wrong in the file, E0705 another format; W1703 for values that
+    /// are no light, which are mended. The same file again is silent.
     std::optional<scene::PictureId> picture(std::string_view path, SourceId from, Span span,
                                             scene::Scene& scene);
 
  private:
     std::optional<scene::PictureId> read_picture(std::string_view path, SourceId from, Span span,
                                                  scene::Scene& scene);
+    void warn_of_mended(image::Image& light, std::string_view path, Span span);
 
     /// Of all files of a kind together: a small one may be named ten thousand times.
     struct SizeLimit {

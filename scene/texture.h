@@ -9,7 +9,7 @@
 
 #include "base/transform.h"
 #include "base/vec.h"
-#include "image/coded_image.h"
+#include "image/pixels.h"
 #include "scene/ids.h"
 
 namespace lray::scene {
@@ -30,10 +30,10 @@ struct ColorStop {
     friend bool operator==(const ColorStop&, const ColorStop&) = default;
 };
 
-/// A picture file that was read, kept as it is coded.
+/// A picture file that was read, kept as codes or as light.
 struct Picture {
     std::string file{};  // the path from the directory of the scene
-    image::CodedImage pixels{};
+    image::Pixels pixels{};
     Color srgb_mean{0.0f};  // of its linear pixels, the codes read as sRGB
     Color linear_mean{0.0f};
 };
@@ -46,7 +46,7 @@ struct ImageTexture {
     PictureId picture_id{};
     ImageWrap wrap = ImageWrap::repeat;
     ImageFilter filter = ImageFilter::bilinear;
-    bool is_srgb = true;  // false: the codes are linear data
+    bool is_srgb = true;  // false: the codes are linear data; of light it means nothing
 };
 
 /// Cubes of side `size` in turn `a` and `b`, `a` at the first one in positive direction.

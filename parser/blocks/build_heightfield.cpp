@@ -151,9 +151,16 @@ class HeightfieldBuilder {
                                       picture->width, picture->height));
         }
         if (!start(picture->width, picture->height, span)) return false;
-        for (const Color& pixel : picture->pixels) {
-            const DVec3 linear{pixel};
-            grid_.heights.push_back(scale * luminance(linear));
+        for (std::size_t i = 0; i < picture->pixels.size(); ++i) {
+            const double height = scale * luminance(DVec3{picture->pixels[i]});
+            if (!fits_float(height)) {  // of a picture in floats
+                return refuse(Code::E0703, span,
+                              fmt::format("the height of pixel {}, {} is {}: {}",
+                                          i % picture->width, i / picture->width,
+                                          std::isfinite(height) ? "too large" : "not finite",
+                                          format_number(height)));
+            }
+            grid_.heights.push_back(height);
         }
         return true;
     }

@@ -118,7 +118,7 @@ inline constexpr std::array<PropertySchema, 6> kHeightfield = {{
     {"resolution", integer, "128", "heights along each side", kGridSize, {128}, false, Form::first},
     {"height", function, "", "`fn(x, z)`: the height at a point, x and z from -size/2 to size/2", kAnyNumber, {}, true, Form::first},
     {"heights", height_rows, "", "the heights: a row along X for each Z, the farthest (-Z) first", kAnyNumber, {}, true, Form::second},
-    {"image", file, "", "a PNG, JPEG or PPM file: a height for each pixel, black 0 and white `scale_y`, its top at -Z", kAnyNumber, {}, true, Form::third},
+    {"image", file, "", "a picture file: a height for each pixel, black 0 and white `scale_y`, its top at -Z", kAnyNumber, {}, true, Form::third},
     {"scale_y", number, "1", "the height of white in the picture", kAnyNumber, {1}, false, Form::third},
 }};
 
@@ -188,7 +188,7 @@ inline constexpr std::array<PropertySchema, 3> kAnimation = {{
 // Textures
 
 inline constexpr std::array<PropertySchema, 5> kImage = {{
-    {"file", file, "", "a PNG, JPEG or PPM (P6) file", kAnyNumber, {}, true},
+    {"file", file, "", "a picture file", kAnyNumber, {}, true},
     {"wrap", option, "\"repeat\"", "what is outside of the picture", kAnyNumber, {}, false, Form::any, kWraps},
     {"filter", option, "\"bilinear\"", "what is between pixels", kAnyNumber, {}, false, Form::any, kFilters},
     {"srgb", boolean, "true", "false: the file holds data, not colours", kAnyNumber, {1}},

@@ -107,10 +107,10 @@ void Environment::measure(const scene::World& world) {
     std::uint32_t height = kMostRows;
     const scene::Texture& texture = world.textures[texture_id_.index()];
     if (const auto* image = std::get_if<scene::ImageTexture>(&texture.pattern)) {
-        const image::CodedImage& pixels = world.pictures[image->picture_id.index()].pixels;
-        width = std::clamp(pixels.width, 1u, kMostColumns);
-        height = std::clamp(pixels.height, 1u, kMostRows);
-        pole_ = 0.5 / std::max(static_cast<double>(pixels.height), 1.0);
+        const image::Pixels& pixels = world.pictures[image->picture_id.index()].pixels;
+        width = std::clamp(image::width_of(pixels), 1u, kMostColumns);
+        height = std::clamp(image::height_of(pixels), 1u, kMostRows);
+        pole_ = 0.5 / std::max(static_cast<double>(image::height_of(pixels)), 1.0);
     }
     std::vector<float> brightness;
     brightness.reserve(std::size_t{width} * height);

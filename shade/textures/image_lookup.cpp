@@ -36,15 +36,15 @@ struct Neighbours {
     }
 };
 
-/// A level as a fraction between two.
-struct Level {
+/// How high up the chain: a fraction between two levels.
+struct Height {
     std::size_t lower = 0;
     float share = 0.0f;  // of the level above
 
     /// `pixels` lie side by side in the footprint. Level i is where there are 2^i; between two the
     /// share grows with the number itself rather than its logarithm, from which it differs by less
     /// than 0.09: each processor comes to the same bits.
-    explicit Level(double pixels) {
+    explicit Height(double pixels) {
         if (!(pixels > 1.0)) return;      // NaN too
         constexpr double kMost = 0x1p40;  // beyond the last level of any picture
         const std::uint64_t bits = std::bit_cast<std::uint64_t>(std::min(pixels, kMost));
@@ -56,47 +56,54 @@ struct Level {
 
 }  // namespace
 
-ImageLookup::ImageLookup(const scene::ImageTexture& image, const MipChain& chain)
+template <class Level>
+BasicImageLookup<Level>::BasicImageLookup(const scene::ImageTexture& image,
+                                          const BasicMipChain<Level>& chain)
     : chain_(&chain),
       values_(&code_values(image.is_srgb)),
       wrap_(image.wrap),
       filter_(image.filter) {}
 
-DVec3 ImageLookup::color(const DVec3& p, const Footprint& footprint) const {
+template <class Level>
+DVec3 BasicImageLookup<Level>::color(const DVec3& p, const Footprint& footprint) const {
     const double u = wrapped(p.x, wrap_);
     const double v = 1.0 - wrapped(p.y, wrap_);  // rows count from the top
-    const image::CodedImage& picture = chain_->level(0);
+    const Level& picture = chain_->level(0);
     const double reach_u = std::max(footprint.extent.x, footprint.across) * picture.width;
     const double reach_v = std::max(footprint.extent.y, footprint.across) * picture.height;
-    const Level level(std::max(reach_u, reach_v));
+    const Height height(std::max(reach_u, reach_v));
 
     const std::size_t last = chain_->level_count() - 1;
-    if (level.lower >= last && last > 0) return DVec3{decoded(chain_->level(last).rgb.data())};
-    const std::size_t i = std::min(level.lower, last);
+    if (height.lower >= last && last > 0) return DVec3{linear(chain_->level(last), 0)};
+    const std::size_t i = std::min(height.lower, last);
     const bool is_blocky = i == 0 && filter_ == scene::ImageFilter::nearest;
     const DVec3 lower = is_blocky ? nearest(u, v) : bilinear(chain_->level(i), u, v);
-    if (!(level.share > 0.0f) || i == last) return lower;
+    if (!(height.share > 0.0f) || i == last) return lower;
     const DVec3 upper = bilinear(chain_->level(i + 1), u, v);
-    return lower + double{level.share} * (upper - lower);
+    return lower + double{height.share} * (upper - lower);
 }
 
-DVec3 ImageLookup::bilinear(const image::CodedImage& level, double u, double v) const {
+template <class Level>
+DVec3 BasicImageLookup<Level>::bilinear(const Level& level, double u, double v) const {
     const Neighbours x(u, level.width, wrap_);
     const Neighbours y(v, level.height, wrap_);
     const auto blend = [](Color a, Color b, float share) { return a + share * (b - a); };
     const auto row = [&](std::uint32_t j) {
-        const std::uint8_t* const pixels = level.rgb.data() + std::size_t{3} * level.width * j;
-        return blend(decoded(pixels + std::size_t{3} * x.first),
-                     decoded(pixels + std::size_t{3} * x.second), x.share);
+        const std::size_t first = std::size_t{level.width} * j;
+        return blend(linear(level, first + x.first), linear(level, first + x.second), x.share);
     };
     return DVec3{blend(row(y.first), row(y.second), y.share)};
 }
 
-DVec3 ImageLookup::nearest(double u, double v) const {
-    const image::CodedImage& picture = chain_->level(0);
+template <class Level>
+DVec3 BasicImageLookup<Level>::nearest(double u, double v) const {
+    const Level& picture = chain_->level(0);
     const auto x = std::min(static_cast<std::uint32_t>(u * picture.width), picture.width - 1);
     const auto y = std::min(static_cast<std::uint32_t>(v * picture.height), picture.height - 1);
-    return DVec3{decoded(picture.rgb.data() + 3 * (std::size_t{y} * picture.width + x))};
+    return DVec3{linear(picture, std::size_t{y} * picture.width + x)};
 }
+
+template class BasicImageLookup<image::CodedImage>;
+template class BasicImageLookup<image::Image>;
 
 }  // namespace lray::shade

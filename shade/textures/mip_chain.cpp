@@ -89,9 +89,27 @@ CodedImage encoded(const Image& linear, const CodeValues& values) {
     return coded;
 }
 
+/// What a level is as a picture of its kind.
+CodedImage level_of(const CodedImage&, const Image& linear, const CodeValues& values) {
+    return encoded(linear, values);
+}
+Image level_of(const Image&, const Image& linear, const CodeValues&) {
+    return linear;
+}
+
+Color linear_at(const CodedImage& picture, std::uint32_t x, std::uint32_t y,
+                const CodeValues& values) {
+    const auto [r, g, b] = picture.at(x, y);
+    return Color{values.linear[r], values.linear[g], values.linear[b]};
+}
+Color linear_at(const Image& picture, std::uint32_t x, std::uint32_t y, const CodeValues&) {
+    return picture.at(x, y);
+}
+
 }  // namespace
 
-MipChain::MipChain(const CodedImage& picture, bool is_srgb) : picture_(&picture) {
+template <class Level>
+BasicMipChain<Level>::BasicMipChain(const Level& picture, bool is_srgb) : picture_(&picture) {
     LRAY_ASSERT(picture.width > 0 && picture.height > 0);
     const CodeValues& values = code_values(is_srgb);
     std::uint32_t width = picture.width;
@@ -102,21 +120,22 @@ MipChain::MipChain(const CodedImage& picture, bool is_srgb) : picture_(&picture)
         const std::uint32_t small_width = std::max(width / 2, 1u);
         const std::uint32_t small_height = std::max(height / 2, 1u);
         if (smaller_.empty()) {
-            last = shrunk(width, height, small_width, small_height,
-                          [&](std::uint32_t x, std::uint32_t y) {
-                              const auto [r, g, b] = picture.at(x, y);
-                              return Color{values.linear[r], values.linear[g], values.linear[b]};
-                          });
+            last = shrunk(
+                width, height, small_width, small_height,
+                [&](std::uint32_t x, std::uint32_t y) { return linear_at(picture, x, y, values); });
         } else {
             last = shrunk(width, height, small_width, small_height,
                           [&](std::uint32_t x, std::uint32_t y) {
                               return last.pixels[std::size_t{y} * width + x];
                           });
         }
-        smaller_.push_back(encoded(last, values));
+        smaller_.push_back(level_of(picture, last, values));
         width = small_width;
         height = small_height;
     }
 }
+
+template class BasicMipChain<CodedImage>;
+template class BasicMipChain<Image>;
 
 }  // namespace lray::shade

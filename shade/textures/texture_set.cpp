@@ -29,7 +29,8 @@ DVec3 reach_of_disc(const DMat3& texture_from_space, DVec3 normal, double width)
 
 }  // namespace
 
-TextureSet::TextureSet(const scene::World& world) : chains_(2 * world.pictures.size()) {
+TextureSet::TextureSet(const scene::World& world)
+    : chains_(2 * world.pictures.size()), light_chains_(world.pictures.size()) {
     entries_.reserve(world.textures.size());
     for (const scene::Texture& texture : world.textures) {
         entries_.push_back(entry_of(texture, world));
@@ -40,7 +41,7 @@ TextureSet::Entry TextureSet::entry_of(const scene::Texture& texture, const scen
     const auto pattern_of = [&](const auto& pattern) -> Pattern {
         using T = std::decay_t<decltype(pattern)>;
         if constexpr (std::is_same_v<T, scene::ImageTexture>) {
-            return ImageLookup(pattern, chain_of(pattern, world));
+            return lookup_of(pattern, world);
         } else if constexpr (std::is_same_v<T, scene::CheckerTexture>) {
             return Checker(pattern);
         } else if constexpr (std::is_same_v<T, scene::StripesTexture>) {
@@ -65,15 +66,21 @@ TextureSet::Entry TextureSet::entry_of(const scene::Texture& texture, const scen
             texture.texture_from_space.offset(),     stretch,       texture.average};
 }
 
-const MipChain& TextureSet::chain_of(const scene::ImageTexture& image, const scene::World& world) {
-    LRAY_ASSERT(image.picture_id.index() < world.pictures.size());
-    std::unique_ptr<MipChain>& chain =
-        chains_[2 * image.picture_id.index() + (image.is_srgb ? 1 : 0)];
-    if (!chain) {
-        chain = std::make_unique<MipChain>(world.pictures[image.picture_id.index()].pixels,
-                                           image.is_srgb);
+TextureSet::Pattern TextureSet::lookup_of(const scene::ImageTexture& image,
+                                          const scene::World& world) {
+    const std::size_t id = image.picture_id.index();
+    LRAY_ASSERT(id < world.pictures.size());
+    const image::Pixels& pixels = world.pictures[id].pixels;
+    if (const auto* const light = std::get_if<image::Image>(&pixels)) {
+        std::unique_ptr<LightMipChain>& chain = light_chains_[id];
+        if (!chain) chain = std::make_unique<LightMipChain>(*light, false);
+        return LightLookup(image, *chain);
     }
-    return *chain;
+    std::unique_ptr<MipChain>& chain = chains_[2 * id + (image.is_srgb ? 1 : 0)];
+    if (!chain) {
+        chain = std::make_unique<MipChain>(std::get<image::CodedImage>(pixels), image.is_srgb);
+    }
+    return ImageLookup(image, *chain);
 }
 
 Color TextureSet::color(scene::TextureId id, const TexturePoint& point) const {

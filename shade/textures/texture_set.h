@@ -39,8 +39,8 @@ class TextureSet {
     // Patterns hand colours on as three doubles, and take points by reference: of three floats in
     // two registers, and of copies of structs just written, gcc makes loads that wait for stores,
     // which cost more than looking up a checker.
-    using Pattern =
-        std::variant<ImageLookup, Checker, Stripes, Gradient, Ramp, Noise, Marble, Wood>;
+    using Pattern = std::variant<ImageLookup, Checker, Stripes, Gradient, Ramp, Noise, Marble, Wood,
+                                 LightLookup>;
 
     struct Entry {
         Pattern pattern;
@@ -52,10 +52,11 @@ class TextureSet {
     };
 
     Entry entry_of(const scene::Texture& texture, const scene::World& world);
-    const MipChain& chain_of(const scene::ImageTexture& image, const scene::World& world);
+    Pattern lookup_of(const scene::ImageTexture& image, const scene::World& world);
 
     std::vector<Entry> entries_;                     // by TextureId
     std::vector<std::unique_ptr<MipChain>> chains_;  // two by PictureId: of data, of sRGB; or none
+    std::vector<std::unique_ptr<LightMipChain>> light_chains_;  // by PictureId, or none
 };
 
 }  // namespace lray::shade

@@ -148,22 +148,6 @@ std::optional<image::Image> decode(const std::string& bytes) {
     return image::read_image(std::as_bytes(std::span(bytes)), {}, error);
 }
 
-/// White where the pictures agree, darker the more they differ: black from 8 levels on.
-image::Image difference_of(const image::Image& a, const image::Image& b) {
-    image::Image difference(a.width, a.height);
-    for (std::uint32_t y = 0; y < a.height; ++y) {
-        for (std::uint32_t x = 0; x < a.width; ++x) {
-            image::Image pixel_a(1, 1);
-            image::Image pixel_b(1, 1);
-            pixel_a.at(0, 0) = a.at(x, y);
-            pixel_b.at(0, 0) = b.at(x, y);
-            const float levels = image::compare(pixel_a, pixel_b, 0.0f)->max;
-            difference.at(x, y) = Color{levels == 0.0f ? 1.0f : std::max(0.5f - levels / 16, 0.0f)};
-        }
-    }
-    return difference;
-}
-
 void write_png(const fs::path& path, const image::Image& image) {
     std::string error;
     auto file = OutputFile::open(path.string(), error);
@@ -188,7 +172,7 @@ std::string keep_for_inspection(const Golden& golden, const std::string& actual,
                                 expected_image->height == actual_image->height;
     if (!are_comparable) return told + "; the golden has another size";
     const fs::path difference_path = directory / (golden.name + ".difference.png");
-    write_png(difference_path, difference_of(*actual_image, *expected_image));
+    write_png(difference_path, image::difference_picture(*actual_image, *expected_image, 0.0f));
     const auto difference = image::compare(*actual_image, *expected_image, 0.0f);
     return told + fmt::format("; the difference is {}: {:.2f} % of the pixels, up to {:.0f} levels",
                               difference_path.string(), 100.0 * difference->share_beyond,

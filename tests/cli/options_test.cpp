@@ -185,10 +185,67 @@ TEST(Options, FormatByOptionThenExtensionThenStdout) {
     EXPECT_EQ(parsed({"a.lrs", "-o", "-", "--format", "png"}).format, image::Format::png);
     EXPECT_EQ(failed({"a.lrs", "-o", "a.gif"}).message, "no picture format is called `gif`");
     EXPECT_EQ(failed({"a.lrs", "-o", "a"}).message, "`a` has no extension that names a format");
-    EXPECT_NE(failed({"a.lrs", "-o", "a"}).help.find(".ppm, .png, .jpg or .pfm"),
+    EXPECT_NE(failed({"a.lrs", "-o", "a"}).help.find(".ppm, .png, .jpg, .pfm or .exr"),
               std::string::npos);
     EXPECT_EQ(failed({"a.lrs", "-o", "a", "--format", "gif"}).message,
-              "`--format` takes ppm, png, jpg, pfm or film, not `gif`");
+              "`--format` takes ppm, png, jpg, pfm, exr or film, not `gif`");
+}
+
+TEST(Options, BitsAndQualityAreOfTheirFormats) {
+    const Options deep = parsed({"a.lrs", "-o", "a.png", "--png-bits", "16"});
+    EXPECT_EQ(deep.png_bits, image::PngBits::sixteen);
+    EXPECT_TRUE(deep.warnings.empty());
+    const Options small = parsed({"a.lrs", "-o", "a.jpg", "--jpeg-quality", "1"});
+    EXPECT_EQ(small.jpeg_quality, 1);
+    EXPECT_TRUE(small.warnings.empty());
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.jpg", "--png-bits=16"}).warnings,
+              std::vector<std::string>{"`--png-bits` is ignored: the picture is jpg, not png"});
+    EXPECT_EQ(parsed({"a.lrs", "-o", "a.png", "--jpeg-quality=5"}).warnings,
+              std::vector<std::string>{"`--jpeg-quality` is ignored: the picture is png, not jpg"});
+    EXPECT_EQ(failed({"a.lrs", "-o", "a.png", "--png-bits", "12"}).message,
+              "`--png-bits` takes 8 or 16, not `12`");
+    EXPECT_NE(failed({"a.lrs", "-o", "a.jpg", "--jpeg-quality", "101"}).message, "");
+    EXPECT_NE(failed({"a.lrs", "-o", "a.jpg", "--jpeg-quality", "0"}).message, "");
+}
+
+TEST(Options, OpenExrIsWrittenOrRefusedBeforeAnything) {
+    if (image::is_built(image::Format::exr)) {
+        EXPECT_EQ(parsed({"a.lrs", "-o", "a.EXR"}).format, image::Format::exr);
+        return;
+    }
+    for (const std::vector<const char*>& arguments :
+         {std::vector<const char*>{"a.lrs", "-o", "a.exr"}, {"a.lrs", "--format", "exr"}}) {
+        const auto result = parse_options(arguments);
+        const Failure& failure = std::get<Failure>(result);
+        EXPECT_EQ(failure.exit_code, ExitCode::unbuilt);
+        EXPECT_EQ(failure.message, "this lray was built without OpenEXR");
+    }
+}
+
+TEST(Options, CommandsTakeTheirFilesAndTheirOptions) {
+    const Options diff = parsed({"diff", "a.png", "b.exr", "--threshold", "0.25"});
+    EXPECT_EQ(diff.mode, Mode::diff);
+    EXPECT_EQ(diff.paths, (std::vector<std::string>{"a.png", "b.exr"}));
+    EXPECT_EQ(diff.threshold, 0.25f);
+    EXPECT_EQ(parsed({"diff", "a", "b"}).threshold, 1.5f);
+    EXPECT_EQ(parsed({"diff", "a", "b", "-o", "c.png"}).format, image::Format::png);
+    EXPECT_EQ(parsed({"diff", "--", "-a", "-b"}).paths, (std::vector<std::string>{"-a", "-b"}));
+    EXPECT_EQ(parsed({"diff", "--help"}).mode, Mode::help);
+    EXPECT_EQ(failed({"diff", "a"}).message, "`lray diff` takes two pictures, not 1");
+    EXPECT_EQ(failed({"diff", "a", "b", "c"}).message, "`lray diff` takes two pictures, not 3");
+    EXPECT_EQ(failed({"diff", "a", ""}).message, "a file name is empty");
+    EXPECT_EQ(failed({"diff", "a", "b", "--size", "1x1"}).message,
+              "`lray diff` has no option `--size`");
+    EXPECT_EQ(failed({"diff", "a", "-i", "b"}).message, "`lray diff` has no option `-i`");
+    for (const char* threshold : {"-1", "256", "nan", "x"}) {
+        EXPECT_NE(failed({"diff", "a", "b", "--threshold", threshold}).message, "");
+    }
+    EXPECT_EQ(failed({"a.lrs", "--threshold", "1"}).message,
+              "`--threshold` is an option of `lray diff`");
+    // A scene may be called like a command.
+    EXPECT_EQ(parsed({"-i", "diff", "-o", "a.png"}).scene_path, "diff");
+    EXPECT_EQ(parsed({"./diff", "-o", "a.png"}).scene_path, "./diff");
+    EXPECT_NE(help_text().find("diff A B"), std::string::npos);
 }
 
 TEST(Options, AbbreviationsAreRefusedWithTheWholeName) {
@@ -378,7 +435,7 @@ TEST(Options, FormattingTakesSeveralScenes) {
     const Options options = parsed({"a.lrs", "--fmt", "-i", "b.lrs", "-", "--", "-c.lrs"});
     EXPECT_EQ(options.mode, Mode::format);
     EXPECT_FALSE(options.only_lists_unformatted);
-    EXPECT_EQ(options.formatted_paths, (std::vector<std::string>{"a.lrs", "b.lrs", "-", "-c.lrs"}));
+    EXPECT_EQ(options.paths, (std::vector<std::string>{"a.lrs", "b.lrs", "-", "-c.lrs"}));
     EXPECT_TRUE(parsed({"--fmt", "--check", "a.lrs"}).only_lists_unformatted);
     EXPECT_TRUE(parsed({"--check", "a.lrs", "--fmt"}).only_lists_unformatted);
     EXPECT_EQ(parsed({"--fmt", "a.lrs", "--help"}).mode, Mode::help);

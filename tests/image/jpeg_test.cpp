@@ -252,6 +252,19 @@ TEST(JpegRead, MoreScansThanAnyPictureNeedsAreRefused) {
               "it has more than 64 scans, which no picture needs; save it anew");
 }
 
+TEST(JpegRead, LargePicturesMayHaveFewerScans) {
+    // Each scan costs a pass over all pixels: of 2^25 only 32.
+    Recipe recipe;
+    recipe.width = 8192;
+    recipe.height = 4096;
+    recipe.components = 1;
+    recipe.colors = JCS_GRAYSCALE;
+    recipe.is_progressive = true;
+    recipe.scan_count = 33;
+    EXPECT_EQ(read_error(foreign_jpeg(recipe)),
+              "it has more than 32 scans, which no picture of its size needs; save it anew");
+}
+
 TEST(JpegRead, OtherFilesAreRefused) {
     EXPECT_EQ(read_error("P6 1 1 255"), "this is not a JPEG file");
     EXPECT_EQ(read_error(""), "this is not a JPEG file");

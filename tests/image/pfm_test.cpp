@@ -4,10 +4,12 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>
 
+#include "tests/image/pictures.h"
 #include "tests/support/temp_directory.h"
 
 namespace lray::image {
@@ -83,6 +85,55 @@ TEST(PfmWrite, FullDiskIsTold) {
     ASSERT_TRUE(out) << error;
     EXPECT_FALSE(write_pfm(*out, Image(64, 64)) && out->commit());
     EXPECT_FALSE(out->error().empty());
+}
+
+std::string read_error(std::string_view file, ReadLimits limits = {}) {
+    std::string error;
+    EXPECT_FALSE(read_pfm(test::bytes_of(file), limits, error));
+    return error;
+}
+
+TEST(PfmRead, EveryBitReadsBack) {
+    test::Random random(61);
+    Image image(31, 17);
+    for (Color& pixel : image.pixels) {
+        for (int i = 0; i < 3; ++i) {
+            pixel[i] = std::bit_cast<float>(static_cast<std::uint32_t>(random.below(1ull << 32)));
+        }
+    }
+    std::string error;
+    const auto read = read_pfm(test::bytes_of(pfm_bytes(image)), {}, error);
+    ASSERT_TRUE(read) << error;
+    ASSERT_EQ(read->width, 31u);
+    ASSERT_EQ(read->height, 17u);
+    EXPECT_EQ(0, std::memcmp(read->pixels.data(), image.pixels.data(),
+                             image.pixels.size() * sizeof(Color)));
+}
+
+TEST(PfmRead, EitherByteOrderGreysAndScale) {
+    using namespace std::string_literals;
+    std::string error;
+    const auto read =
+        read_pfm(test::bytes_of("Pf\n1 2\n2.0\n\x3f\x80\0\0\xc0\0\0\0"s), {}, error);  // 1, -2
+    ASSERT_TRUE(read) << error;
+    EXPECT_EQ(read->at(0, 1), Color{2.0f});  // rows from the bottom
+    EXPECT_EQ(read->at(0, 0), Color{-4.0f});
+    const auto little = read_pfm(test::bytes_of("Pf\n1 1\n-1\n\0\0\x80\x3f"s), {}, error);
+    ASSERT_TRUE(little) << error;
+    EXPECT_EQ(little->at(0, 0), Color{1.0f});
+}
+
+TEST(PfmRead, BrokenFilesAreRefusedInWords) {
+    EXPECT_EQ(read_error("P6"), "this is not a PFM file");
+    EXPECT_EQ(read_error("PF\n1 1"), "the PFM header needs a width, a height and a scale");
+    EXPECT_EQ(read_error("PF\n0 1 -1\n"), "the PFM header needs a width, a height and a scale");
+    for (const char* scale : {"0", "inf", "nan", "-inf"}) {
+        EXPECT_EQ(read_error("PF\n1 1\n" + std::string(scale) + "\nabcdabcdabcd"),
+                  "the scale of the PFM is 0 or not finite; -1 is usual");
+    }
+    EXPECT_EQ(read_error("PF\n2 1\n-1\nabc"), "the PFM file ends early: 3 of 24 bytes of pixels");
+    EXPECT_EQ(read_error("PF\n4294967295 4294967295\n-1\nabc"),
+              "4294967295 x 4294967295 pixels are more than the limit of 67108864");
 }
 
 }  // namespace

@@ -61,9 +61,30 @@ TEST(PpmRead, CommentsAndAnyWhiteSpaceInTheHeader) {
     EXPECT_EQ(read->at(0, 0), Color(1.0f, srgb_decode_8(128), 0.0f));
 }
 
+/// The codes of a picture, as numbers.
+std::vector<int> codes_of(std::string_view file) {
+    std::string error;
+    const auto codes = read_ppm(bytes_of(file), {}, error);
+    EXPECT_TRUE(codes) << error;
+    if (!codes) return {};
+    return std::visit(
+        [](const auto& image) { return std::vector<int>(image.rgb.begin(), image.rgb.end()); },
+        *codes);
+}
+
+TEST(PpmRead, GreysDecimalsAndOtherMaxima) {
+    using namespace std::string_literals;
+    EXPECT_EQ(codes_of("P5 2 1 255 \1\xff"s), (std::vector{1, 1, 1, 255, 255, 255}));
+    EXPECT_EQ(codes_of("P2 2 1 4 # four\n1 # one\n 9"), (std::vector{64, 64, 64, 255, 255, 255}));
+    EXPECT_EQ(codes_of("P3\n1 1 255\n1 2 3"), (std::vector{1, 2, 3}));
+    EXPECT_EQ(codes_of("P6 1 1 1\n\0\1\2"s), (std::vector{0, 255, 255}));
+    EXPECT_EQ(codes_of("P6 1 1 65535\n\1\2\3\4\xff\xff"s), (std::vector{258, 772, 65535}));
+    EXPECT_EQ(codes_of("P2 1 1 1000 500"), (std::vector{32768, 32768, 32768}));
+}
+
 TEST(PpmRead, BrokenFilesAreRefusedInWords) {
-    EXPECT_EQ(read_error(""), "this is not a binary PPM (P6) file");
-    EXPECT_EQ(read_error("P3\n1 1\n255\n1 2 3"), "this is not a binary PPM (P6) file");
+    EXPECT_EQ(read_error(""), "this is not a PPM or PGM (P6, P5, P3, P2) file");
+    EXPECT_EQ(read_error("P4\n1 1\n1"), "this is not a PPM or PGM (P6, P5, P3, P2) file");
     const std::string header = "the PPM header needs a width, a height and a maximum";
     EXPECT_EQ(read_error("P6"), header);
     EXPECT_EQ(read_error("P61 1 255\nabc"), header);
@@ -72,7 +93,13 @@ TEST(PpmRead, BrokenFilesAreRefusedInWords) {
     EXPECT_EQ(read_error("P6\n99999999999 1\n255\nabc"), header);
     EXPECT_EQ(read_error("P6\n1 1\n255"), header);
     EXPECT_EQ(read_error("P6\n#"), header);
-    EXPECT_EQ(read_error("P6\n1 1\n65535\nabcdef"), "the PPM maximum is 65535; only 255 is read");
+    EXPECT_EQ(read_error("P6\n1 1\n65536\nabcdef"), "the PPM maximum is 65536; it is 1 to 65535");
+    EXPECT_EQ(read_error("P6\n1 1\n0\nabc"), "the PPM maximum is 0; it is 1 to 65535");
+    EXPECT_EQ(read_error("P3\n1 1\n255\n1 2 x  "),
+              "among the numbers of the PPM file is something else");
+    EXPECT_EQ(read_error("P3\n1 1\n255\n1  2    "),
+              "the PPM file ends early: 2 of 3 numbers of pixels");
+    EXPECT_EQ(read_error("P5\n2 1\n256\nabc"), "the PPM file ends early: 3 of 4 bytes of pixels");
 }
 
 TEST(PpmRead, LimitIsCheckedBeforeThePixelsAre) {

@@ -110,5 +110,32 @@ TEST(SrgbSlope, IsTheDerivativeOfTheFormula) {
     EXPECT_EQ(srgb_slope(5.0f), srgb_slope(1.0f));
 }
 
+/// Source: IEC 61966-2-1, in long double.
+long double encoded_by_formula(long double linear) {
+    return linear <= 0.0031308L ? 12.92L * linear : 1.055L * std::pow(linear, 1.0L / 2.4L) - 0.055L;
+}
+
+TEST(Srgb, SixteenBitsAreTheNearestToTheEncodedValue) {
+    for (std::uint32_t bits = 0; bits < 0x3f800000u; bits += 9973) {
+        const float linear = std::bit_cast<float>(bits);
+        const long double exact = encoded_by_formula(static_cast<long double>(linear)) * 65535.0L;
+        const long double off = exact - static_cast<long double>(srgb_encode_16(linear));
+        ASSERT_LE(std::fabs(off), 0.5L + 1e-9L) << linear;
+    }
+    EXPECT_EQ(srgb_encode_16(1.0f), 65535);
+    EXPECT_EQ(srgb_encode_16(1e30f), 65535);
+    EXPECT_EQ(srgb_encode_16(-1.0f), 0);
+    EXPECT_EQ(srgb_encode_16(std::numeric_limits<float>::quiet_NaN()), 0);
+    EXPECT_EQ(linear_encode_16(0.5f), 32768);
+    EXPECT_EQ(linear_encode_16(2.0f), 65535);
+    EXPECT_EQ(linear_encode_16(std::numeric_limits<float>::quiet_NaN()), 0);
+}
+
+TEST(Srgb, SixteenBitsReadBack) {
+    for (std::uint32_t code = 0; code < 65536; ++code) {
+        ASSERT_EQ(srgb_encode_16(srgb_decode_16(static_cast<std::uint16_t>(code))), code);
+    }
+}
+
 }  // namespace
 }  // namespace lray::image

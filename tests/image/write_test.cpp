@@ -69,7 +69,7 @@ TEST(WriteImage, EachFormatBeginsWithItsOwnSignature) {
 TEST(ReadImage, UnknownBytesAreRefused) {
     std::string error;
     EXPECT_FALSE(read_image(test::bytes_of("GIF89a"), {}, error));
-    EXPECT_EQ(error, "this is not a PNG, JPEG or binary PPM (P6) file");
+    EXPECT_EQ(error, "this is not a PNG, JPEG, PPM, PFM, Radiance HDR or OpenEXR file");
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ class WorldWriter {
     void add_pattern(const scene::ImageTexture& t) {
         const scene::Picture& picture = scene_.pictures[t.picture_id.index()];
         out_.add_all(static_cast<std::uint32_t>(t.wrap), static_cast<std::uint32_t>(t.filter),
-                     t.is_srgb, picture.srgb_mean, picture.pixels.width);
+                     t.is_srgb, picture.srgb_mean, image::width_of(picture.pixels));
     }
     void add_pattern(const scene::CheckerTexture& t) { out_.add_all(t.a, t.b, t.size); }
     void add_pattern(const scene::StripesTexture& t) {

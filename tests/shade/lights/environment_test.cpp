@@ -205,6 +205,24 @@ TEST(Environment, PolesShowTheirOwnEndOfAPicture) {
     EXPECT_EQ(sky.environment.radiance({0.0f, -1.0f, 0.0f}), Color{0.0f});
 }
 
+TEST(Environment, SunOfAPictureInFloatsIsChosenByItsLight) {
+    image::Image light(64, 32);
+    for (Color& pixel : light.pixels) pixel = Color{0.1f};
+    light.at(20, 8) = Color{50'000.0f};
+    const std::array pictures = {test::picture_of(light)};
+    const Sky sky(scene::ImageTexture{scene::PictureId(0)}, scene::TextureSpace::uv, DMat3{1.0},
+                  pictures);
+    const Vec3 up{0.0f, 1.0f, 0.0f};
+    int bright_count = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const auto s = sky.environment.sample(up, {i / 1000.0, std::fmod(i * 0.618, 1.0)});
+        ASSERT_TRUE(s);
+        if (sky.environment.radiance(s->wi).g > 100.0f) ++bright_count;
+    }
+    EXPECT_GT(bright_count, 500);
+    expect_right_mean(sky.environment, 0.02);
+}
+
 TEST(Environment, BlackOneGivesNoSamples) {
     image::CodedImage black{2, 2, {}};
     black.rgb.assign(12, 0);

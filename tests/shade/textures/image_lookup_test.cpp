@@ -160,6 +160,45 @@ TEST(ImageLookup, FarthestIsTheMeanOfThePicture) {
     }
 }
 
+TEST(LightLookup, LightBeyondWhiteStaysBetweenPixelsAndFromAfar) {
+    image::Image picture(2, 1);
+    picture.at(0, 0) = {1000.0f, 0.001f, 0.0f};
+    picture.at(1, 0) = {3000.0f, 0.003f, 1.0f};
+    const LightMipChain chain(picture, true);
+    ASSERT_EQ(chain.level_count(), 2u);
+    EXPECT_EQ(chain.level(1).at(0, 0), (Color{2000.0f, 0.002f, 0.5f}));
+    for (const bool is_srgb : {true, false}) {
+        const LightLookup lookup(
+            {scene::PictureId{}, ImageWrap::clamp, ImageFilter::bilinear, is_srgb}, chain);
+        const auto at = [&](double x, double extent) {
+            return test::color_of(lookup, {x, 0.5, 0.0}, {{extent, extent, 0.0}, 0.0});
+        };
+        EXPECT_EQ(at(0.25, 0.0), picture.at(0, 0));
+        EXPECT_EQ(at(0.5, 0.0).r, 2000.0f);
+        EXPECT_EQ(at(0.1, 9.0), chain.level(1).at(0, 0));
+    }
+    const LightLookup blocky({scene::PictureId{}, ImageWrap::repeat, ImageFilter::nearest, true},
+                             chain);
+    EXPECT_EQ(test::color_of(blocky, {1.6, 0.5, 0.0}, {}), picture.at(1, 0));
+}
+
+TEST(LightLookup, CodesAndTheirLightGiveTheSameColours) {
+    const image::CodedImage codes = test::random_codes(13, 9, 21);
+    const image::Image light = image::decode_srgb(codes);
+    const MipChain coded_chain(codes, true);
+    const LightMipChain light_chain(light, true);
+    for (const ImageFilter filter : {ImageFilter::nearest, ImageFilter::bilinear}) {
+        const scene::ImageTexture image{scene::PictureId{}, ImageWrap::mirror, filter, true};
+        const ImageLookup coded(image, coded_chain);
+        const LightLookup lit(image, light_chain);
+        test::Random random(22);
+        for (int trial = 0; trial < 500; ++trial) {
+            const DVec3 p{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), 0.0};
+            EXPECT_EQ(test::color_of(coded, p, {}), test::color_of(lit, p, {}));
+        }
+    }
+}
+
 TEST(MipChain, EachLevelIsHalfOfTheOneBeforeDownToOnePixel) {
     const image::CodedImage picture = test::random_codes(13, 3, 15);
     const MipChain chain(picture, true);

@@ -59,7 +59,7 @@ inline image::CodedImage random_codes(std::uint32_t width, std::uint32_t height,
     return picture;
 }
 
-inline scene::Picture picture_of(image::CodedImage pixels) {
+inline scene::Picture picture_of(image::Pixels pixels) {
     scene::Picture picture;
     picture.srgb_mean = image::mean_color(pixels, true);
     picture.linear_mean = image::mean_color(pixels, false);

@@ -1,0 +1,11 @@
+// Fuzzes the JPEG reader.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "tests/fuzz/fuzz_picture.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    lray::fuzz::read_picture(std::as_bytes(std::span(data, size)));
+    return 0;
+}

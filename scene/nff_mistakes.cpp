@@ -87,13 +87,12 @@ void Mistakes::second(Span span, std::string_view keyword, std::string_view of_w
         .with_label(first, "the first one is here");
 }
 
-void Mistakes::binary(const char* nul) {
-    const std::string_view text = text_.view();
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        tell(Code::E0003, span(text.data(), text.data() + 2),
+void Mistakes::binary(const char* at) {
+    if (is_utf16(text_.data())) {
+        tell(Code::E0003, span(text_.data(), text_.data() + 2),
              "this file is UTF-16; save it as UTF-8");
     } else {
-        tell(Code::E0003, span(nul, nul + 1),
+        tell(Code::E0003, span(at, at + 1),
              "this is not NFF text but a binary file: here is a NUL byte");
     }
 }

@@ -43,7 +43,7 @@ class Mistakes {
 
     void value(Code code, Span span, std::string message, std::string help = {});
     void second(Span span, std::string_view keyword, std::string_view of_what, Span first);
-    void binary(const char* nul);
+    void binary(const char* at);
     void other_format(const char* begin);
     void too_many_nodes(Span span, std::uint64_t limit);
     void too_many_bytes(Span span, std::uint64_t limit);

@@ -98,6 +98,10 @@ class StatementReader {
 };
 
 NffScene StatementReader::read_all() {
+    if (is_utf16(at_)) {
+        mistakes_.binary(at_);
+        return {};
+    }
     while (!is_done_ && !collector_.is_full() && !mistakes_.is_enough()) {
         at_ = skip_space(at_);
         if (at_ == end_) break;

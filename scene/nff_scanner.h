@@ -19,6 +19,11 @@ inline bool is_space(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+/// True at a byte order mark of UTF-16.
+inline bool is_utf16(const char* at) {
+    return (at[0] == '\xFF' && at[1] == '\xFE') || (at[0] == '\xFE' && at[1] == '\xFF');
+}
+
 inline bool is_token_end(char c) {
     return is_space(c) || c == '\0' || c == '#';
 }

@@ -405,6 +405,11 @@ constexpr CodeInfo kInfos[] = {
  "lray does not read this kind of file, or this feature of it.",
  "mesh { file: \"chair.blend\" }",
  "mesh { file: \"chair.obj\" }"},
+{LRAY_CODE(E0706), "NFF file not understood",
+ "What stands in the NFF file is not what its format says: for example a sphere without its four numbers, or a "
+ "shape before the first `f`.",
+ "b 0.1 0.1 0.3\nf 1 0.5 0.3 0.8 0.2 10 0 1\ns 0 0 0\ns 2 0 0 0.5",
+ "b 0.1 0.1 0.3\nf 1 0.5 0.3 0.8 0.2 10 0 1\ns 0 0 0 1\ns 2 0 0 0.5"},
 
 {LRAY_CODE(W1101), "unused",
  "The name is defined, and nothing uses it. Begin it with `_` if that is meant.",

@@ -12,12 +12,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "base/diagnostics.h"
+#include "base/source.h"
 #include "base/vec.h"
 #include "bench/text_writer.h"
+#include "scene/formats/nff_scene.h"
 
 namespace lray::bench {
 
@@ -28,15 +29,7 @@ struct NffCamera {
     double angle = 45.0;  // degrees
 };
 
-struct NffSurface {
-    DVec3 color{1.0};
-    double diffuse = 1.0;
-    double specular = 0.0;
-    double shine = 1.0;
-    double transmit = 0.0;
-    double index = 1.0;
-    friend bool operator==(const NffSurface&, const NffSurface&) = default;
-};
+using scene::NffSurface;
 
 struct NffSphere {
     std::uint32_t surface = 0;
@@ -53,7 +46,6 @@ struct NffCone {
     double apex_radius = 1.0;
 };
 
-/// Polygons are cut into fans: those of the databases are convex.
 struct NffTriangle {
     std::uint32_t surface = 0;
     std::array<DVec3, 3> points{};
@@ -70,14 +62,15 @@ struct NffScene {
     std::vector<NffTriangle> triangles{};
 };
 
-/// Returns the scene. What concerns the size of the picture and `hither` is passed over.
-/// Errors: empty, and `error` tells the line and what is wrong there.
-std::optional<NffScene> read_nff(std::string_view text, std::string& error);
+/// Returns the scene. The size of the picture and the colours of lights are passed over.
+/// Errors: empty, reported at the place in the file.
+std::optional<NffScene> read_nff(const Sources& sources, SourceId file, Diagnostics& diagnostics);
 
-/// Reads the positions and faces of an OBJ as triangles of one matt surface, seen from its front
-/// upper right under one light from the upper left.
+/// Reads an OBJ as triangles of one matt surface, seen from its front upper right under one light
+/// from the upper left.
 /// Errors: as read_nff().
-std::optional<NffScene> read_obj_scene(std::string_view text, std::string& error);
+std::optional<NffScene> read_obj_scene(const Sources& sources, SourceId file,
+                                       Diagnostics& diagnostics);
 
 /// How triangles are written: each on its own, or all of a surface as one mesh, where the program
 /// has meshes (Tachyon has none that keeps its faces flat).

@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "base/diagnostic_printer.h"
 #include "base/file_access.h"
 #include "base/output_file.h"
 #include "bench/nff_scene.h"
@@ -81,17 +83,19 @@ int main(int argc, char** argv) {
         return 2;
     }
     FileAccess files;
-    const ReadResult in = files.read_main(arguments->in, std::numeric_limits<std::uint32_t>::max());
+    ReadResult in = files.read_main(arguments->in, std::numeric_limits<std::uint32_t>::max());
     if (in.status != ReadStatus::ok) {
         fmt::print(stderr, "{}: cannot be read\n", arguments->in);
         return 1;
     }
-    std::string error;
-    const std::optional<bench::NffScene> scene = arguments->in.ends_with(".obj")
-                                                     ? bench::read_obj_scene(in.text.view(), error)
-                                                     : bench::read_nff(in.text.view(), error);
+    Sources sources;
+    Diagnostics diagnostics;
+    const SourceId file = sources.add(arguments->in, std::move(in.text));
+    const std::optional<bench::NffScene> scene =
+        arguments->in.ends_with(".obj") ? bench::read_obj_scene(sources, file, diagnostics)
+                                        : bench::read_nff(sources, file, diagnostics);
     if (!scene) {
-        fmt::print(stderr, "{}: {}\n", arguments->in, error);
+        fmt::print(stderr, "{}", format_diagnostics(diagnostics, sources, {}));
         return 1;
     }
     const bench::Triangles triangles = arguments->triangles;

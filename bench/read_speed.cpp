@@ -30,9 +30,9 @@ using namespace lray;
 
 constexpr std::string_view kUsage =
     "usage: read_speed [--repeat K] FILE...\n"
-    "  Reads each .lrs or .obj file K times (5) on one thread; in seconds of processor time\n"
+    "  Reads each .lrs, .nff or .obj file K times (5) on one thread; in seconds of processor time\n"
     "  bytes   the file into memory, nothing else\n"
-    "  scene   .lrs: parser::load; .obj: the bytes and scene::read_obj\n"
+    "  scene   .lrs, .nff: parser::load; .obj: the bytes and scene::read_obj\n"
     "  format  .lrs: the bytes and parser::format\n"
     "  peak    of the process (VmHWM) after the first time; beyond: of that, more than before\n"
     "          and than the text\n";
@@ -66,7 +66,7 @@ struct Outcome {
 
 bool read_scene(const char* path, Outcome& outcome) {
     FileAccess files;
-    if (std::string_view(path).ends_with(".lrs")) {
+    if (std::string_view(path).ends_with(".lrs") || std::string_view(path).ends_with(".nff")) {
         outcome.scene = parser::load(path, {}, files, outcome.sources, outcome.diagnostics).scene;
         return outcome.scene.has_value();
     }

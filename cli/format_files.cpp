@@ -15,6 +15,7 @@
 #include "cli/console.h"
 #include "cli/report.h"
 #include "cli/run.h"
+#include "parser/nff_items.h"
 #include "parser/tools/format.h"
 
 namespace lray::cli {
@@ -49,6 +50,11 @@ ExitCode format_one(const std::string& path, const Options& options) {
         return report_failure({ExitCode::usage,
                                fmt::format("`{}` is no file that could be rewritten", path),
                                "say with `-o` where to write; `-` reads stdin and writes stdout"});
+    }
+    if (parser::is_nff(path)) {
+        return report_failure({ExitCode::usage,
+                               fmt::format("`{}` is NFF; only `.lrs` files are formatted", path),
+                               "`--dump` writes what it shows as `.lrs`"});
     }
     Sources sources;
     Diagnostics diagnostics;

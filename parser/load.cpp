@@ -12,6 +12,7 @@
 #include "parser/definitions.h"
 #include "parser/evaluate/evaluator.h"
 #include "parser/file_loader.h"
+#include "parser/nff_items.h"
 #include "parser/program_loader.h"
 #include "parser/symbols.h"
 #include "parser/syntax/parser.h"
@@ -20,7 +21,7 @@ namespace lray::parser {
 
 namespace {
 
-void warn_of_gaps(const scene::Scene& scene, SourceId main, Diagnostics& diagnostics) {
+void warn_of_gaps(const scene::Scene& scene, SourceId main, bool is_nff, Diagnostics& diagnostics) {
     const Span begin = Span::make(main, 0, 0);
     const scene::Node& root = scene.node(scene.root);
     if (scene.groups[root.index].children.empty()) {
@@ -28,7 +29,8 @@ void warn_of_gaps(const scene::Scene& scene, SourceId main, Diagnostics& diagnos
     } else if (scene.cameras.empty()) {
         diagnostics
             .warning(Code::W1501, begin, "there is no camera; a view of the whole scene is used")
-            .with_help("add `camera { position: [0, 2, 6], look_at: [0, 0, 0] }`");
+            .with_help(is_nff ? "add a view, like `v from 0 2 6 at 0 0 0 up 0 1 0 angle 45`"
+                              : "add `camera { position: [0, 2, 6], look_at: [0, 0, 0] }`");
     }
 }
 
@@ -68,7 +70,7 @@ LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess&
     evaluate(items, environment, scene, diagnostics);
     result.params = params.take();
     if (diagnostics.has_errors() || !result.usage_mistakes.empty()) return result;
-    warn_of_gaps(scene, *main, diagnostics);
+    warn_of_gaps(scene, *main, is_nff(sources[*main].path), diagnostics);
     result.scene = std::move(scene);
     return result;
 }

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "parser/nff_items.h"
+
 namespace lray::parser {
 
 std::span<Item* const> ProgramLoader::parse(SourceId source) {
+    if (is_nff(path(source))) return nff_items(source, context_, limits_, diagnostics_);
     ParsedFile file = lray::parser::parse(source, context_, diagnostics_);
     is_structure_known_ = is_structure_known_ && file.is_structure_known;
     open_.push_back(source);
@@ -33,7 +36,8 @@ void ProgramLoader::import(ImportItem& item) {
         Module* const module = context_.arena.make<Module>();
         known = module;  // before its own imports are read
         module->source = *source;
-        module->items = parse(*source);
+        module->items = is_nff(path(*source)) ? nff_names(*source, context_, limits_, diagnostics_)
+                                              : parse(*source);
     }
     item.module = known;
 }

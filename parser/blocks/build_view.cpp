@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/angle.h"
-#include "base/numerics.h"
 #include "parser/blocks/schemas.h"
+#include "scene/camera_direction.h"
 
 namespace lray::parser {
 
@@ -59,13 +59,7 @@ std::optional<scene::Camera> build_camera(const PropertyValues& values, std::str
         diagnostics.error(Code::E0311, span, "`position` and `look_at` are the same point");
         return std::nullopt;
     }
-    // Parallel as far as doubles can tell: the cross product is its own rounding error.
-    const double sine_bound = 2.0 * gamma<double>(3);
-    const DVec3 f =
-        forward / std::max({std::fabs(forward.x), std::fabs(forward.y), std::fabs(forward.z)});
-    const DVec3 u = camera.up / std::max({std::fabs(camera.up.x), std::fabs(camera.up.y),
-                                          std::fabs(camera.up.z)});
-    if (glm::length(cross(f, u)) <= sine_bound * glm::length(f) * glm::length(u)) {
+    if (scene::is_along_up(forward, camera.up)) {
         diagnostics.error(Code::E0311, span, "the camera looks along its `up` direction")
             .with_help(values.has(kUp) ? "choose another `up`"
                                        : "to look straight down, add `up: [0, 0, -1]`");

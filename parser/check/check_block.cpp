@@ -106,6 +106,7 @@ void BlockCheck::items(std::span<Item* const> list, bool is_certain) {
             case ItemKind::call:
             case ItemKind::assignment:
             case ItemKind::import:
+            case ItemKind::file_view:
             case ItemKind::function:
             case ItemKind::break_loop:
             case ItemKind::continue_loop:

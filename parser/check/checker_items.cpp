@@ -63,6 +63,9 @@ void FileChecker::item(Item& item, const Place& place) {
             return include(static_cast<IncludeItem&>(item), place);
         case ItemKind::import:
             return import(static_cast<ImportItem&>(item));
+        case ItemKind::file_view:
+            static_cast<FileViewItem&>(item).is_top_level = place.kind == Place::Kind::file;
+            return;
         case ItemKind::function:
             return function_body(*static_cast<FunctionItem&>(item).function);
         case ItemKind::conditional:

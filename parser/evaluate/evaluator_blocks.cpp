@@ -13,6 +13,7 @@
 #include "parser/check/check_block.h"
 #include "parser/check/check_complete.h"
 #include "parser/evaluate/evaluator_state.h"
+#include "scene/formats/nff_nodes.h"
 
 namespace lray::parser {
 
@@ -262,7 +263,23 @@ void Evaluator::view_block(const BlockSchema& schema, BlockExpr& expr) {
         }
     } else if (schema.kind == BlockKind::render) {
         scene_.render = build_render_settings(open.values);
+        has_render_ = true;
     }
+}
+
+// The background goes with the view. Without one it is the scene's, unless `render` says which.
+void Evaluator::file_view(const FileViewItem& item) {
+    if (!item.is_top_level) return;
+    if (!item.has_view) {
+        if (item.has_background && !has_render_) scene_.render.background = item.background;
+        return;
+    }
+    const std::uint64_t size = sizeof(scene::Camera) + item.name.size();
+    if (!take_kept_bytes(budget_, size, item.span, diagnostics_)) return;
+    scene::Camera camera = scene::camera_of(item.view);
+    camera.name = std::string(item.name);
+    if (item.has_background) camera.background = item.background;
+    scene_.cameras.push_back(std::move(camera));
 }
 
 // A node value placed: the node once more, under the steps and material written here.

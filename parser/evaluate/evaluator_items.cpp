@@ -40,6 +40,9 @@ Flow Evaluator::item(Item& item, OpenBlock& open) {
         case ItemKind::import:
             import(static_cast<const ImportItem&>(item));
             return Flow::normal;
+        case ItemKind::file_view:
+            if (!open.is_import) file_view(static_cast<const FileViewItem&>(item));
+            return Flow::normal;
         case ItemKind::call: {
             const Value value = eval(*static_cast<const CallItem&>(item).value);
             if (value.is(ValueKind::poison)) ++failures_;

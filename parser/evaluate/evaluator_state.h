@@ -120,6 +120,7 @@ class Evaluator final : public Runtime {
     bool body(const BlockExpr& expr, OpenBlock& open, bool is_new = true);
     const Value* keep_all(std::span<const Value> values, Span span);
     void view_block(const BlockSchema& schema, BlockExpr& expr);
+    void file_view(const FileViewItem& item);
     std::optional<scene::NodeId> instance(const BlockExpr& expr, const Made& made);
     std::optional<scene::MaterialId> add_material(const OpenBlock& open);
     std::optional<scene::TextureId> add_texture(const OpenBlock& open);
@@ -239,7 +240,8 @@ class Evaluator final : public Runtime {
     std::vector<ActiveCall> calls_;
     std::vector<bool> is_imported_;                              // by Module::id
     std::unordered_map<std::string, scene::NodeId> components_;  // none: it could not be made
-    Value nothing_{};  // an empty group, once there is one
+    Value nothing_{};          // an empty group, once there is one
+    bool has_render_ = false;  // a `render` block was evaluated
     std::uint64_t printed_bytes_ = 0;
     std::uint32_t range_builtin_ = 0;
     std::uint32_t assert_builtin_ = 0;

@@ -11,6 +11,7 @@
 #include "parser/blocks/schema.h"
 #include "parser/symbols.h"
 #include "parser/syntax/token.h"
+#include "scene/formats/nff_scene.h"
 
 namespace lray::parser {
 
@@ -240,6 +241,7 @@ enum class ItemKind : std::uint8_t {
     assignment,
     include,
     import,
+    file_view,
     literals,
     function,  // also `component`
     conditional,
@@ -324,6 +326,19 @@ struct ImportItem : Item {
     Symbol alias = kNoSymbol;  // none: it has to be the stem of the file, which is no name
     Span alias_span{};         // of the alias or the path
     Module* module = nullptr;  // null: reported
+};
+
+/// The view that a file in another format brings, and its background. Both are those of the scene
+/// where the file stands at the top level, and nothing in a group.
+struct FileViewItem : Item {
+    bool has_view = false;
+    scene::NffView view{};
+    std::string_view name{};  // of the camera
+    bool has_background = false;
+    Color background{0.0f};
+
+    // By the checker
+    bool is_top_level = false;
 };
 
 /// Neighbouring blocks of literals, which left no tree: nodes [first_node, first_node + count).

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/mesh.h"
 #include "scene/formats/obj_counts.h"
+#include "scene/mesh.h"
 #include "scene/triangulate_polygon.h"
 
 namespace lray::scene::obj {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "base/parse_number.h"
 #include "scene/formats/obj_scanner.h"
+#include "scene/formats/token_words.h"
 
 namespace lray::scene::obj {
 
@@ -15,23 +15,8 @@ std::string_view text_between(const char* begin, const char* end) {
     return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-/// Returns the token at `begin` in quotes, not too long.
-std::string quoted_token(const char* begin) {
-    constexpr std::size_t kMaxQuoted = 32;
-    const std::string_view token = text_between(begin, skip_token(begin));
-    if (token.size() <= kMaxQuoted) return fmt::format("`{}`", token);
-    std::size_t length = kMaxQuoted;
-    // Not in the middle of a UTF-8 sequence.
-    while (length > 0 && (static_cast<unsigned char>(token[length]) & 0xc0u) == 0x80u) --length;
-    return fmt::format("`{}...`", token.substr(0, length));
-}
-
-bool is_not_finite(std::string_view word) {
-    std::string lower(word.substr(0, 3));
-    for (char& c : lower) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return lower == "nan" || lower == "inf";
+std::string_view token_at(const char* begin) {
+    return text_between(begin, skip_token(begin));
 }
 
 }  // namespace
@@ -46,23 +31,7 @@ void Mistakes::wrong_number(const char* statement, const char* begin, std::size_
                 found_count);
         return;
     }
-    const char* const end = skip_token(begin);
-    const char* const without_sign = *begin == '-' || *begin == '+' ? begin + 1 : begin;
-    const ParsedNumber number = parse_decimal(without_sign);
-    if (number.end == end) {
-        tell(Code::E0701, begin, end,
-             fmt::format("{} is too large: numbers go up to 3.4e38", quoted_token(begin)));
-    } else if (is_not_finite(text_between(without_sign, end))) {
-        tell(Code::E0701, begin, end,
-             fmt::format("expected a finite number, found {}", quoted_token(begin)));
-    } else if (number.is_found() && *number.end == ',') {
-        tell(Code::E0701, begin, end,
-             fmt::format("expected a number, found {}; decimals are written with a point",
-                         quoted_token(begin)));
-    } else {
-        tell(Code::E0701, begin, end,
-             fmt::format("expected a number, found {}", quoted_token(begin)));
-    }
+    tell(Code::E0701, begin, skip_token(begin), wrong_number_text(token_at(begin)));
 }
 
 void Mistakes::wrong_corner(const char* statement, const char* at) {
@@ -71,7 +40,7 @@ void Mistakes::wrong_corner(const char* statement, const char* at) {
     while (at > statement && !is_blank(at[-1]) && !is_line_end(at[-1])) --at;
     tell(Code::E0701, at, skip_token(at),
          fmt::format("expected a corner like `1`, `1/2`, `1//3` or `1/2/3`, found {}",
-                     quoted_token(at)));
+                     quoted_token(token_at(at))));
 }
 
 void Mistakes::wrong_index(const char* begin, const char* end, IndexKind kind, std::size_t so_far,

@@ -207,7 +207,7 @@ std::vector<std::string> links_of(const std::string& document) {
 
 TEST(Documents, LinkToFilesThatAreThere) {
     for (const std::string document :
-         {"README.md", "grammar.md", "docs/diagnostics.md", "docs/guide.md", "docs/hierarchies.md",
+         {"README.md", "grammar.md", "docs/diagnostics.md", "docs/formats.md", "docs/guide.md", "docs/hierarchies.md",
           "docs/architecture.md", "docs/viewer.md"}) {
         const std::filesystem::path path = std::filesystem::path(kTop) / document;
         for (const std::string& link : links_of(test::read_bytes(path.string()))) {

@@ -76,6 +76,15 @@ TEST_F(FormatFiles, StdinGoesToStdout) {
     EXPECT_EQ(checked.out, "<stdin>\n");
 }
 
+TEST_F(FormatFiles, NffIsNotFormatted) {
+    directory_.write("a.nff", "s 0 0\n");
+    const auto result = run({"a.nff"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("`a.nff` is NFF; only `.lrs` files are formatted"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(directory_.read("a.nff"), "s 0 0\n");
+}
+
 TEST_F(FormatFiles, BrokenFilesAreLeftAloneAndTheOthersGoOn) {
     directory_.write("a.lrs", kBroken);
     directory_.write("b.lrs", kUntidy);

@@ -90,6 +90,7 @@ std::vector<Golden> goldens() {
         {"boxes", "tests/golden/boxes.lrs", {"--size", "160x120"}},
         {"cones", "tests/golden/cones.lrs", {"--size", "160x120"}},
         {"disks", "tests/golden/disks.lrs", {"--size", "160x120"}},
+        {"nff_shapes", "tests/golden/shapes.nff"},
         {"fitted_camera", "tests/golden/fitted_camera.lrs", {"--size", "160x120"}},
         {"instances", "tests/golden/instances.lrs", {"--size", "160x120"}},
         {"meshes", "tests/golden/meshes.lrs", {"--size", "160x120"}},
@@ -111,6 +112,7 @@ std::vector<Golden> goldens() {
         lit("lit_coloured_shadows", "tests/golden/coloured_shadows.lrs", "160x120", "4"),
         lit("lit_paths", "tests/golden/paths.lrs", "120x90", "32"),
         lit("lit_textured", "tests/golden/textured.lrs", "160x120", "4"),
+        lit("lit_nff_shapes", "tests/golden/shapes.nff", "160x120", "4"),
         lit("lit_lens", "tests/golden/depth_of_field.lrs", "160x120", "16"),
         lit("lit_panorama", "tests/golden/panorama.lrs", "160x80", "4"),
         lit("lit_smooth_normals", "tests/golden/smooth_normals.lrs", "160x120", "4"),
@@ -232,6 +234,9 @@ TEST(GoldenPictures, AreDescribedAndNoneIsForgotten) {
     }
     std::sort(names.begin(), names.end());
     EXPECT_EQ(stems(kTop / "tests" / "golden", ".ppm"), names);
+    for (const std::string& stem : stems(kTop / "tests" / "golden", ".nff")) {
+        EXPECT_GT(std::ranges::count(scenes, "tests/golden/" + stem + ".nff"), 0) << stem;
+    }
     for (const std::string folder : {"examples", "examples/lib", "parser/std", "tests/golden"}) {
         for (const std::string& stem : stems(kTop / folder, ".lrs")) {
             const std::string scene = folder + "/" + stem + ".lrs";

@@ -84,13 +84,14 @@ Loaded load_example(std::string_view example, const Setting& setting, bool is_wr
         directory.write("model.obj", text);
         text = "mesh { file: \"model.obj\" }\n";
     }
+    const bool is_nff = text.starts_with("b ");
     constexpr std::string_view kHome = "/home/me/scene";  // of the machine that the example is on
     if (const std::size_t home = text.find(kHome); home != text.npos) {
         text.replace(home, kHome.size(), directory.path());
     }
     const parser::LoadLimits limits = is_wrong ? setting.limits : parser::LoadLimits{};
-    Loaded loaded =
-        load_file(directory.write(setting.name, text), with_limits(limits), all_warnings());
+    Loaded loaded = load_file(directory.write(is_nff ? "main.nff" : setting.name, text),
+                              with_limits(limits), all_warnings());
     static_cast<void>(flatten_and_lint(loaded, is_wrong ? setting.flatten : scene::FlattenLimits{},
                                        setting.lint));
     return loaded;

@@ -54,7 +54,7 @@ std::vector<Snippet> snippets_of(const std::string& document) {
 /// `// materials.lrs`, `# pyramid.obj`.
 std::string file_name(const Snippet& snippet) {
     std::smatch match;
-    const std::regex name("^(//|#) ([a-z_/]+\\.(lrs|obj))\n");
+    const std::regex name("^(//|#) ([a-z_/]+\\.(lrs|nff|obj))\n");
     return std::regex_search(snippet.text, match, name) ? match[2].str() : std::string{};
 }
 
@@ -139,8 +139,8 @@ TEST(Grammar, EveryMistakeGivesTheCodeItNames) {
 TEST(Grammar, FencesNameALanguageThatIsTested) {
     for (const Snippet& snippet : snippets_of(test::read_bytes(kGrammar))) {
         const bool is_known = snippet.language == "lrs" || snippet.language == "lrs-error" ||
-                              snippet.language == "ebnf" || snippet.language == "obj" ||
-                              snippet.language == "text";
+                              snippet.language == "ebnf" || snippet.language == "nff" ||
+                              snippet.language == "obj" || snippet.language == "text";
         EXPECT_TRUE(is_known) << place_of(snippet);
     }
 }

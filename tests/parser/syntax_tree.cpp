@@ -212,6 +212,8 @@ std::string TreePrinter::item(const Item& one) const {
             return fmt::format("(import \"{}\" {})", import.path->value,
                                import.alias == kNoSymbol ? "?" : name(import.alias));
         }
+        case ItemKind::file_view:
+            return "(view)";
         case ItemKind::literals: {
             const LiteralsItem& literals = static_cast<const LiteralsItem&>(one);
             if (literals.material == nullptr) return fmt::format("#{}", literals.count);

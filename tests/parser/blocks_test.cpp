@@ -137,7 +137,8 @@ TEST(Textures, AveragesAreMeansAndIntegrals) {
     EXPECT_NEAR(static_cast<double>(scene.textures[5].average.y), (1.0 + 256.0 / 255.0) / 4.0,
                 1e-7);
     EXPECT_EQ(scene.pictures.size(), 1u);  // read once
-    EXPECT_EQ(scene.pictures[0].pixels.at(0, 1), (std::array<std::uint8_t, 3>{0xff, 0x80, 0}));
+    EXPECT_EQ(std::get<image::CodedImage>(scene.pictures[0].pixels).at(0, 1),
+              (std::array<std::uint8_t, 3>{0xff, 0x80, 0}));
 }
 
 TEST(Textures, ACopyKeepsWhatItDoesNotSetAndStepsAddUp) {

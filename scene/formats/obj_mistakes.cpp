@@ -15,17 +15,6 @@ std::string_view text_between(const char* begin, const char* end) {
     return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-/// Returns the token at `begin` in quotes, not too long.
-std::string quoted_token(const char* begin) {
-    constexpr std::size_t kMaxQuoted = 32;
-    const std::string_view token = text_between(begin, skip_token(begin));
-    if (token.size() <= kMaxQuoted) return fmt::format("`{}`", token);
-    std::size_t length = kMaxQuoted;
-    // Not in the middle of a UTF-8 sequence.
-    while (length > 0 && (static_cast<unsigned char>(token[length]) & 0xc0u) == 0x80u) --length;
-    return fmt::format("`{}...`", token.substr(0, length));
-}
-
 bool is_not_finite(std::string_view word) {
     std::string lower(word.substr(0, 3));
     for (char& c : lower) {
@@ -36,13 +25,25 @@ bool is_not_finite(std::string_view word) {
 
 }  // namespace
 
-void Mistakes::wrong_number(const char* statement, const char* begin, std::size_t found_count) {
+std::string quoted_token(const char* begin) {
+    constexpr std::size_t kMaxQuoted = 32;
+    const std::string_view token = text_between(begin, skip_token(begin));
+    if (token.size() <= kMaxQuoted) return fmt::format("`{}`", token);
+    std::size_t length = kMaxQuoted;
+    // Not in the middle of a UTF-8 sequence.
+    while (length > 0 && (static_cast<unsigned char>(token[length]) & 0xc0u) == 0x80u) --length;
+    return fmt::format("`{}...`", token.substr(0, length));
+}
+
+void Mistakes::wrong_number(const char* statement, const char* begin, std::size_t found_count,
+                            std::string_view needed) {
     ++count_;
     if (!are_told()) return;
     if (is_line_end(*begin) || *begin == '#') {
         const std::string_view keyword = text_between(statement, skip_token(statement));
-        const std::string_view needed = keyword == "vt" ? "1 to 3" : "3";
-        too_few(statement, begin, fmt::format("`{}` needs {} numbers", keyword, needed),
+        too_few(statement, begin,
+                needed == "1" ? fmt::format("`{}` needs a number", keyword)
+                              : fmt::format("`{}` needs {} numbers", keyword, needed),
                 found_count);
         return;
     }
@@ -113,7 +114,12 @@ void Mistakes::no_faces() {
     tell(Code::E0704, text_.data(), text_.data(), "this file has no faces (`f` statements)");
 }
 
-bool Mistakes::find_binary() {
+void Mistakes::wrong(const char* begin, const char* end, std::string message) {
+    ++count_;
+    if (are_told()) tell(Code::E0701, begin, end, std::move(message));
+}
+
+bool Mistakes::find_binary(std::string_view format) {
     const std::string_view text = text_.view();
     const std::size_t nul = text.find('\0');
     if (nul == text.npos) return false;
@@ -123,7 +129,7 @@ bool Mistakes::find_binary() {
         tell(Code::E0003, text.data(), text.data() + 2, "this file is UTF-16; save it as UTF-8");
     } else {
         tell(Code::E0003, text.data() + nul, text.data() + nul + 1,
-             "this is not OBJ text but a binary file: here is a NUL byte");
+             fmt::format("this is not {} text but a binary file: here is a NUL byte", format));
     }
     return true;
 }

@@ -531,7 +531,7 @@ constexpr CodeInfo kInfos[] = {
 {LRAY_CODE(W1701), "material or picture missing",
 "A mesh file names a file with materials, a material or a picture that is not there or may not be "
 "read. The mesh does without: what has no material of the file takes that of its block.",
-"mtllib chair.mtl\nusemtl oak\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3",
+"v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib chair.mtl\nusemtl oak\nf 1 2 3",
 "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
 {LRAY_CODE(W1702), "faces left out",
  "Some faces of the mesh have no area or repeat a vertex; they are left out.",

@@ -40,10 +40,10 @@ void add_statements(const char* at, const char* end, Counts& counts) {
             case Statement::group:
             case Statement::object:
             case Statement::material:
-            case Statement::library:
             case Statement::smoothing:
             case Statement::free_form:
                 break;
+            case Statement::library:
             case Statement::other:
                 at = find_line_end(at, end);
                 if (*at == '\0') ++at;

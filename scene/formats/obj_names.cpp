@@ -35,17 +35,17 @@ std::string name_at(const char* statement) {
 std::vector<std::string> files_at(const char* statement) {
     std::vector<std::string> files;
     std::string file;
-    const char* at = skip_token(statement);
+    const auto skip_word = [](const char* at) {
+        while (!is_blank(*at) && !is_line_end(*at)) ++at;
+        return at;
+    };
+    const char* at = skip_word(statement);
     while (true) {
-        const char* const word = skip_blanks(at);
+        const char* word = at;
+        while (is_blank(*word)) ++word;
         if (is_line_end(*word)) break;
-        // A joined line counts as one blank.
-        if (!file.empty()) {
-            const bool is_one_line = std::find(at, word, '\n') == word;
-            file.append(is_one_line ? std::string_view(at, static_cast<std::size_t>(word - at))
-                                    : std::string_view(" "));
-        }
-        at = skip_token(word);
+        if (!file.empty()) file.append(at, word);
+        at = skip_word(word);
         file.append(word, at);
         if (ends_a_file_name({word, static_cast<std::size_t>(at - word)})) {
             files.push_back(std::move(file));

@@ -12,7 +12,8 @@ namespace lray::scene::obj {
 std::string name_at(const char* statement);
 
 /// Returns the files that an `mtllib` statement names. A name ends with the line or, if more
-/// follows, with a word that ends in `.mtl`: names may have blanks, which stay as they are.
+/// follows, with a word that ends in `.mtl`: names may have blanks, which stay as they are. A
+/// backslash joins no lines here: it is one of a path.
 std::vector<std::string> files_at(const char* statement);
 
 /// Returns the number of a smoothing group; 0 for `off`, 0 and nothing at all.

@@ -67,7 +67,8 @@ void StatementReader::read_statement() {
             break;
         case Statement::library:
             builder_.add_library(statement_);
-            break;
+            at_ = find_line_end(at_, end_);
+            return;
         case Statement::free_form:
             builder_.skip_free_form(statement_);
             break;

@@ -116,8 +116,8 @@ TEST(SmoothByAngle, ConesThatTouchAtTheirTipsAreApart) {
         }
     }
     for (std::uint32_t i = 0; i < 8; ++i) {
-        mesh.triangles.push_back({0, 1 + (i + 1) % 8, 1 + i});
-        mesh.triangles.push_back({0, 9 + i, 9 + (i + 1) % 8});
+        mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % 8});
+        mesh.triangles.push_back({0, 9 + (i + 1) % 8, 9 + i});
     }
     smooth_by_angle(mesh, degrees(180));
     EXPECT_NE(mesh.normal_indices[0][0], mesh.normal_indices[1][0]);

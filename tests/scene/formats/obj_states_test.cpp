@@ -55,7 +55,7 @@ TEST(ReadObj, MaterialsAreRunsOfTriangles) {
 TEST(ReadObj, FilesWithMaterialsMayHaveNamesOfOtherEndingsAlone) {
     EXPECT_EQ(read(on_line_4("mtllib my materials.lib\nmtllib")).material_files,
               Names{"my materials.lib"});
-    EXPECT_EQ(read(on_line_4("mtllib a  b.mtl \\\n c.mtl\td")).material_files,
+    EXPECT_EQ(read(on_line_4("mtllib a  b.mtl  c.mtl\td")).material_files,
               (Names{"a  b.mtl", "c.mtl", "d"}));
 }
 
@@ -114,7 +114,7 @@ TEST(ReadObj, APolygonOfManyCornersIsCut) {
 /// Text with all that may reach from one piece of a file into another.
 std::string random_obj(std::uint32_t seed) {
     std::mt19937 random(seed);
-    const auto below = [&](std::uint32_t n) { return random() % n; };
+    const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
     std::string text = "\xEF\xBB\xBFmtllib a.mtl\n";
     std::uint32_t count = 0;
     const auto vertex = [&] {
@@ -149,8 +149,8 @@ std::string random_obj(std::uint32_t seed) {
                 const bool is_negative = below(2) == 0;
                 const bool has_all = below(3) == 0;
                 for (std::uint32_t k = 0, corners = 3 + below(4); k < corners; ++k) {
-                    const std::uint32_t i_of = 1 + below(count);
-                    const std::string index = fmt::format("{}{}", is_negative ? "-" : "", i_of);
+                    const std::uint32_t element = 1 + below(count);
+                    const std::string index = fmt::format("{}{}", is_negative ? "-" : "", element);
                     text += k == 2 && below(4) == 0 ? " \\\n " : " ";
                     text += has_all ? fmt::format("{0}/{0}/{0}", index) : index;
                 }

@@ -116,7 +116,7 @@ bool read_materials(const scene::Mesh& mesh, SourceId source, Span span,
         wanted.insert(mesh.material_names[i]);
     }
     const std::uint64_t errors_before = diagnostics.error_count();
-    const std::size_t warnings_before = diagnostics.warning_count();
+    bool is_file_missing = false;
     std::size_t file_count = mesh.material_files.size();
     if (file_count > scene::obj::kMaxMaterialFiles) {
         file_count = scene::obj::kMaxMaterialFiles;
@@ -127,6 +127,7 @@ bool read_materials(const scene::Mesh& mesh, SourceId source, Span span,
     }
     for (std::size_t i = 0; i < file_count && !wanted.empty(); ++i) {
         const auto mtl = files.companion(mesh.material_files[i], source, span);
+        is_file_missing = is_file_missing || !mtl;
         if (!mtl) continue;
         const std::size_t told_before = diagnostics.error_count() + diagnostics.warning_count();
         const auto materials = files.definitions(*mtl, span, wanted);
@@ -140,8 +141,8 @@ bool read_materials(const scene::Mesh& mesh, SourceId source, Span span,
             files.release_text(*mtl);
         }
     }
-    // A file that is missing has been told, and may be the one that defines them.
-    if (diagnostics.warning_count() == warnings_before) warn_undefined(mesh, found, span, diagnostics);
+    // It has been told, and may be the one that defines them.
+    if (!is_file_missing) warn_undefined(mesh, found, span, diagnostics);
     return diagnostics.error_count() == errors_before;
 }
 

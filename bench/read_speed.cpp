@@ -204,7 +204,9 @@ int main(int argc, char** argv) {
     }
     bool are_all_measured = true;
     for (int i = first_file; i < argc; ++i) {
-        are_all_measured = measure_apart(argv[i], repeat_count, static_cast<unsigned>(thread_count)) && are_all_measured;
+        are_all_measured =
+            measure_apart(argv[i], repeat_count, static_cast<unsigned>(thread_count)) &&
+            are_all_measured;
     }
     return are_all_measured ? 0 : 1;
 }

@@ -185,8 +185,8 @@ void FileLoader::warn_missing(const ReadResult& result, const Request& request) 
         diagnostics_
             .warning(Code::W1701, request.span,
                      fmt::format("`{}` is outside the directories this scene may read", written))
-            .with_help(fmt::format("if you trust the scene, allow it with `--allow {}`",
-                                   result.allow));
+            .with_help(
+                fmt::format("if you trust the scene, allow it with `--allow {}`", result.allow));
         return;
     }
     Diagnostic& warning = diagnostics_.warning(
@@ -348,8 +348,8 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
     return id;
 }
 
-std::optional<FileLoader::LoadedMesh> FileLoader::read_mesh(scene::MeshFormat format,
-                                                            SourceId file, Span span,
+std::optional<FileLoader::LoadedMesh> FileLoader::read_mesh(scene::MeshFormat format, SourceId file,
+                                                            Span span,
                                                             std::optional<double> smooth_degrees,
                                                             scene::Scene& scene) {
     const std::size_t told_before = diagnostics_.error_count() + diagnostics_.warning_count();

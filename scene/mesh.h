@@ -54,7 +54,7 @@ struct Mesh {
     std::vector<MaterialRun> material_runs{};
     std::vector<std::string> material_names{};  // each once
     std::vector<std::string> material_files{};  // that define them, as the file names them
-    std::vector<MaterialId> materials{};  // by name, once they are read; none: not defined
+    std::vector<MaterialId> materials{};        // by name, once they are read; none: not defined
 
     std::optional<double> smooth_degrees{};  // of smooth_by_angle(), which made its normals
 };

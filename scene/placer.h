@@ -111,7 +111,8 @@ class Placer {
     Geometry& geometry_;
     Diagnostics& diagnostics_;
     ObjectId object_id_{};
-    std::unordered_map<std::size_t, ObjectId> mesh_objects_{};  // of the mesh being placed, by material
+    std::unordered_map<std::size_t, ObjectId>
+        mesh_objects_{};  // of the mesh being placed, by material
     std::size_t refused_count_ = 0;
     double thinness_ = 1.0;
 };

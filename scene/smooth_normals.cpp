@@ -223,7 +223,8 @@ class Smoother {
         each_edge([&](std::uint32_t point, const EdgeUse&) { ++firsts[point + 2]; });
         std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
         std::vector<EdgeUse> uses(firsts.back());
-        each_edge([&](std::uint32_t point, const EdgeUse& use) { uses[firsts[point + 1]++] = use; });
+        each_edge(
+            [&](std::uint32_t point, const EdgeUse& use) { uses[firsts[point + 1]++] = use; });
         firsts.pop_back();
         return uses;
     }

@@ -61,7 +61,8 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
     const Value& positions = values[kPositions];
     const Value& triangles = values[kTriangles];
     if (values.has(kNormals) && values.has(kSmooth)) {
-        diagnostics.error(Code::E0411, value_spans[kSmooth], "give `normals` or `smooth`, not both");
+        diagnostics.error(Code::E0411, value_spans[kSmooth],
+                          "give `normals` or `smooth`, not both");
         return std::nullopt;
     }
     if (triangles.count == 0) {
@@ -156,7 +157,8 @@ std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
     if (!mesh_id) return std::nullopt;
     use.mesh_id = *mesh_id;
     use.shows_materials = values.boolean(kUseMtl) && !has_material;
-    if (use.shows_materials && !load_mesh_materials(*mesh_id, file_span, files, scene, diagnostics)) {
+    if (use.shows_materials &&
+        !load_mesh_materials(*mesh_id, file_span, files, scene, diagnostics)) {
         return std::nullopt;
     }
     if (values.has(kPart)) {

@@ -97,11 +97,10 @@ void warn_undefined(const scene::Mesh& mesh, const std::vector<scene::MaterialId
         if (found[i].is_none()) names.push_back(mesh.material_names[i]);
     }
     if (names.empty()) return;
-    diagnostics.warning(
-        Code::W1701, span,
-        fmt::format("the material{} {} of `{}` {} defined in no file that it names",
-                    names.size() == 1 ? "" : "s", list_of(names), mesh.file,
-                    names.size() == 1 ? "is" : "are"));
+    diagnostics.warning(Code::W1701, span,
+                        fmt::format("the material{} {} of `{}` {} defined in no file that it names",
+                                    names.size() == 1 ? "" : "s", list_of(names), mesh.file,
+                                    names.size() == 1 ? "is" : "are"));
 }
 
 /// Puts the materials of a mesh that its files define where their names are.

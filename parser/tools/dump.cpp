@@ -312,7 +312,8 @@ class Dumper {
         block.append_lines(text_, indent + 2);
         write_rows("positions", mesh.positions, 3, indent + 2);
         write_rows("triangles", mesh.triangles, 3, indent + 2);
-        if (!mesh.normals.empty() && !mesh.smooth_degrees) write_rows("normals", mesh.normals, 3, indent + 2);
+        if (!mesh.normals.empty() && !mesh.smooth_degrees)
+            write_rows("normals", mesh.normals, 3, indent + 2);
         if (!mesh.uvs.empty()) write_rows("uvs", mesh.uvs, 2, indent + 2);
         text_.append(indent, ' ');
         text_ += '}';

@@ -32,8 +32,7 @@ Material material_of(const MtlMaterial& mtl, const MtlTextures& ids,
     const bool has_highlight = model >= 2 || !mtl.model;
     const Color specular = has_highlight ? mtl.specular.value_or(Color{0.0f}) : Color{0.0f};
     material.diffuse = or_texture(mtl.diffuse.value_or(Color{0.8f}), ids.diffuse_id);
-    material.specular =
-        or_texture(specular, has_highlight ? ids.specular_id : TextureId{});
+    material.specular = or_texture(specular, has_highlight ? ids.specular_id : TextureId{});
     if (mtl.exponent) material.shininess = std::min(*mtl.exponent, kMaxShininess);
     material.emission = or_texture(mtl.emission.value_or(Color{0.0f}), ids.emission_id);
     if (is_mirror(model)) material.reflect = *material.specular;

@@ -90,7 +90,7 @@ class MtlReader {
     std::vector<MtlMaterial> materials_{};
     std::unordered_set<std::string> known_{};
     std::vector<std::string_view> skipped_{};
-    MtlMaterial unwanted_{};            // what is read but not kept
+    MtlMaterial unwanted_{};           // what is read but not kept
     MtlMaterial* material_ = nullptr;  // null: before the first
 };
 
@@ -118,8 +118,9 @@ void MtlReader::read_statement() {
     at_ += keyword.size();
     if (is("newmtl")) return begin_material();
     if (material_ == nullptr) {
-        mistakes_.wrong(statement_, at_, fmt::format("{} comes before the first `newmtl`",
-                                                     quoted_token(statement_)));
+        mistakes_.wrong(
+            statement_, at_,
+            fmt::format("{} comes before the first `newmtl`", quoted_token(statement_)));
         return;
     }
     MtlMaterial& material = *material_;
@@ -179,8 +180,9 @@ void MtlReader::read_color(std::optional<Color>& color) {
         const auto number = read_number("1 or 3");
         if (!number) return;
         if (*number < 0.0) {
-            mistakes_.wrong(begin, at_, fmt::format("`{}` must be 0 or more, this is {}", keyword,
-                                                    between(begin, at_)));
+            mistakes_.wrong(
+                begin, at_,
+                fmt::format("`{}` must be 0 or more, this is {}", keyword, between(begin, at_)));
             return;
         }
         rgb[i] = *number;
@@ -211,8 +213,9 @@ void MtlReader::read_map(std::optional<MtlMap>& map) {
     while (end > begin && is_blank(end[-1])) --end;
     if (begin == end) {
         const char* const keyword_end = skip_token(statement_);
-        mistakes_.wrong(statement_, keyword_end, fmt::format("`{}` needs the name of a picture",
-                                                             between(statement_, keyword_end)));
+        mistakes_.wrong(
+            statement_, keyword_end,
+            fmt::format("`{}` needs the name of a picture", between(statement_, keyword_end)));
         return;
     }
     read.file = between(begin, end);
@@ -308,9 +311,9 @@ void tell_skipped(const std::vector<std::string_view>& keywords, const Text& tex
     }
     const std::string_view first = keywords.front();
     const auto begin = static_cast<std::size_t>(first.data() - text.data());
-    Diagnostic& warning = diagnostics.warning(
-        Code::W1703, Span::make(file, begin, begin + first.size()),
-        fmt::format("not read of this file: {}", names));
+    Diagnostic& warning =
+        diagnostics.warning(Code::W1703, Span::make(file, begin, begin + first.size()),
+                            fmt::format("not read of this file: {}", names));
     if (!loaded_at.is_nowhere()) warning.with_label(loaded_at, "loaded here");
 }
 

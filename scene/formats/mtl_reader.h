@@ -26,14 +26,14 @@ struct MtlMap {
 /// Space/units: colours are linear and 0 or more, numbers finite.
 struct MtlMaterial {
     std::string name{};
-    std::optional<Color> diffuse{};       // Kd
-    std::optional<Color> specular{};      // Ks
-    std::optional<Color> emission{};      // Ke
-    std::optional<Color> filter{};        // Tf
-    std::optional<float> exponent{};      // Ns
-    std::optional<float> ior{};           // Ni
-    std::optional<float> dissolve{};      // d, in [0, 1]
-    std::optional<float> transparency{};  // Tr, in [0, 1]
+    std::optional<Color> diffuse{};        // Kd
+    std::optional<Color> specular{};       // Ks
+    std::optional<Color> emission{};       // Ke
+    std::optional<Color> filter{};         // Tf
+    std::optional<float> exponent{};       // Ns
+    std::optional<float> ior{};            // Ni
+    std::optional<float> dissolve{};       // d, in [0, 1]
+    std::optional<float> transparency{};   // Tr, in [0, 1]
     std::optional<std::uint32_t> model{};  // illum, 0 to 10
     std::optional<MtlMap> diffuse_map{};
     std::optional<MtlMap> specular_map{};

@@ -81,8 +81,8 @@ class StateTracker {
                     begin_material(name_at(statement));
                     return;
                 case StateKind::smoothing:
-                    smoothing_.push_back({static_cast<std::uint32_t>(pending_at_),
-                                          smoothing_group_at(statement)});
+                    smoothing_.push_back(
+                        {static_cast<std::uint32_t>(pending_at_), smoothing_group_at(statement)});
                     return;
             }
         });
@@ -112,9 +112,8 @@ class StateTracker {
             if (is_new) mesh_.material_names.push_back(name);
             material = known->second;
         }
-        const std::uint32_t before = mesh_.material_runs.empty()
-                                         ? MaterialRun::kNone
-                                         : mesh_.material_runs.back().material;
+        const std::uint32_t before =
+            mesh_.material_runs.empty() ? MaterialRun::kNone : mesh_.material_runs.back().material;
         if (material == before) return;
         mesh_.material_runs.push_back({static_cast<std::uint32_t>(pending_at_), material});
     }

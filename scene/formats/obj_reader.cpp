@@ -123,8 +123,8 @@ std::optional<Mesh> read_obj(const Sources& sources, SourceId file, Span loaded_
     // Places in the text have 32 bits, so every count of its mesh has: a corner takes two bytes.
     const std::vector<obj::TextRange> ranges = obj::cut(text, chunk_size);
     const bool is_alone = ranges.size() == 1 || tbb::this_task_arena::max_concurrency() == 1;
-    obj::Chunks chunks = is_alone ? obj::read_at_once(text, obj::whole(text))
-                                  : obj::read_in_parallel(text, ranges);
+    obj::Chunks chunks =
+        is_alone ? obj::read_at_once(text, obj::whole(text)) : obj::read_in_parallel(text, ranges);
     if (chunks.are_right) {
         const obj::Skipped skipped = obj::skipped_in(chunks);
         if (std::optional<Mesh> mesh = obj::assemble(std::move(chunks.all))) {

@@ -18,8 +18,8 @@ using namespace lray;
 
 bool is_color(const scene::Coefficient& coefficient) {
     const Color c = coefficient.constant;
-    return c.r >= 0.0f && c.g >= 0.0f && c.b >= 0.0f && std::isfinite(c.r) &&
-           std::isfinite(c.g) && std::isfinite(c.b);
+    return c.r >= 0.0f && c.g >= 0.0f && c.b >= 0.0f && std::isfinite(c.r) && std::isfinite(c.g) &&
+           std::isfinite(c.b);
 }
 
 void check(const scene::Material& material) {
@@ -36,8 +36,8 @@ void check(const scene::Material& material) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Sources sources;
     Diagnostics diagnostics;
-    const SourceId file = sources.add(
-        "fuzz.mtl", Text(std::string_view(reinterpret_cast<const char*>(data), size)));
+    const SourceId file =
+        sources.add("fuzz.mtl", Text(std::string_view(reinterpret_cast<const char*>(data), size)));
     const std::unordered_set<std::string> wanted = {"a", "b", "red"};
     const auto materials = scene::read_mtl(sources, file, Span{}, wanted, diagnostics);
     LRAY_ASSERT(materials.has_value() == !diagnostics.has_errors());

@@ -7,8 +7,8 @@
 #include "base/assert.h"
 #include "base/diagnostics.h"
 #include "base/source.h"
-#include "scene/mesh.h"
 #include "scene/formats/obj_reader.h"
+#include "scene/mesh.h"
 #include "scene/smooth_normals.h"
 
 namespace {

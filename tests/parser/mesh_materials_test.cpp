@@ -77,8 +77,7 @@ TEST(MeshMaterials, DifferentUsesAreNotShared) {
     }
     std::string many(kObj);
     for (int i = 0; i < 200; ++i) many += "f 1 2 4\n";
-    Loaded loaded =
-        load_text(scene, parser::LoadSettings{}, {{"a.obj", many}, {"a.mtl", kMtl}});
+    Loaded loaded = load_text(scene, parser::LoadSettings{}, {{"a.obj", many}, {"a.mtl", kMtl}});
     ASSERT_TRUE(loaded.scene) << loaded.text();
     const std::string colors = colors_of(loaded);
     std::size_t red = 0;
@@ -89,8 +88,10 @@ TEST(MeshMaterials, DifferentUsesAreNotShared) {
 TEST(MeshMaterials, DumpGivesTheSameWorld) {
     const std::string scene =
         "mesh { file: \"a.obj\", smooth: 33.3 }\nmesh { file: \"a.obj\", use_mtl: false, "
-        "translate: [2, 0, 0] }\nmesh { file: \"a.obj\", material { diffuse: lime }, translate: [4, "
-        "0, 0] }\nmesh { positions: [[0, 0, 9], [1, 0, 9], [0, 1, 9], [1, 1, 9.5]]\ntriangles: [[0, "
+        "translate: [2, 0, 0] }\nmesh { file: \"a.obj\", material { diffuse: lime }, translate: "
+        "[4, "
+        "0, 0] }\nmesh { positions: [[0, 0, 9], [1, 0, 9], [0, 1, 9], [1, 1, 9.5]]\ntriangles: "
+        "[[0, "
         "1, 2], [1, 3, 2]], smooth: 80 }\n";
     const Loaded loaded = load_text(scene, parser::LoadSettings{}, kFiles);
     ASSERT_TRUE(loaded.scene) << loaded.text();
@@ -128,8 +129,9 @@ TEST(MeshSmooth, NormalsExcludeIt) {
 }
 
 TEST(MeshMaterials, WhatIsMissingIsAWarning) {
-    const Loaded missing = load_text("mesh { file: \"a.obj\" }\nmesh { file: \"a.obj\", smooth: 3 }",
-                                     parser::LoadSettings{}, {{"a.obj", kObj}, {"b.mtl", kMtl}});
+    const Loaded missing =
+        load_text("mesh { file: \"a.obj\" }\nmesh { file: \"a.obj\", smooth: 3 }",
+                  parser::LoadSettings{}, {{"a.obj", kObj}, {"b.mtl", kMtl}});
     EXPECT_TRUE(missing.scene);
     EXPECT_EQ(missing.codes(), "W1501 W1701");
     const Loaded undefined = load_text("mesh { file: \"a.obj\" }", parser::LoadSettings{},
@@ -140,16 +142,17 @@ TEST(MeshMaterials, WhatIsMissingIsAWarning) {
     const Loaded pictures =
         load_text("mesh { file: \"a.obj\" }", parser::LoadSettings{},
                   {{"a.obj", kObj},
-                   {"a.mtl", "newmtl red\nmap_Kd gone.png\nmap_Ks gone.png\nmap_Ke x.tga\n"
-                             "norm ../../../etc/passwd\nnewmtl blue\n"}});
+                   {"a.mtl",
+                    "newmtl red\nmap_Kd gone.png\nmap_Ks gone.png\nmap_Ke x.tga\n"
+                    "norm ../../../etc/passwd\nnewmtl blue\n"}});
     EXPECT_TRUE(pictures.scene);
     EXPECT_EQ(pictures.codes(), "W1501 W1701 W1701 W1701") << pictures.text();
 }
 
 TEST(MeshMaterials, AMistakeInTheirFileIsAnError) {
-    const Loaded loaded = load_text("mesh { file: \"a.obj\" }\nmesh { file: \"a.obj\" }",
-                                    parser::LoadSettings{},
-                                    {{"a.obj", kObj}, {"a.mtl", "newmtl red\nKd x\n"}});
+    const Loaded loaded =
+        load_text("mesh { file: \"a.obj\" }\nmesh { file: \"a.obj\" }", parser::LoadSettings{},
+                  {{"a.obj", kObj}, {"a.mtl", "newmtl red\nKd x\n"}});
     EXPECT_TRUE(loaded.has_errors());
     EXPECT_EQ(loaded.diagnostics.error_count(), 1u) << loaded.text();
 }

@@ -56,7 +56,8 @@ std::multiset<std::array<float, 6>> corners_of(const Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 p = mesh.positions[mesh.triangles[i][k]];
-            const Vec3 n = mesh.normal_indices[i][k] == Mesh::kNone ? Vec3(0) : normal_at(mesh, i, k);
+            const Vec3 n =
+                mesh.normal_indices[i][k] == Mesh::kNone ? Vec3(0) : normal_at(mesh, i, k);
             corners.insert({p.x, p.y, p.z, n.x, n.y, n.z});
         }
     }
@@ -132,7 +133,8 @@ TEST(SmoothByAngle, AtAnEdgeOfManyFacesNeighboursInAngleAreJoined) {
     mesh.positions = {{0, 0, 0}, {0, 0, 1}};
     for (const double angle : {0.0, 70.0, 20.0, 60.0, 10.0}) {
         const auto tip = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(Vec3(DVec3(std::cos(degrees(angle)), std::sin(degrees(angle)), 0)));
+        mesh.positions.push_back(
+            Vec3(DVec3(std::cos(degrees(angle)), std::sin(degrees(angle)), 0)));
         mesh.triangles.push_back({0, 1, tip});
     }
     smooth_by_angle(mesh, degrees(15));

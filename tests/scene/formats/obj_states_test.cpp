@@ -26,11 +26,11 @@ namespace {
 using Names = std::vector<std::string>;
 
 TEST(ReadObj, ColoursAreDecodedAndWhiteWhereThereIsNone) {
-    const Mesh mesh = read("v 0 0 0 1.0\nv 1 0 0 0.5 0 2 # c\nv 0 1 0 -1 1 1 0.5\nv 1 1 1\nf 1 2 3");
+    const Mesh mesh =
+        read("v 0 0 0 1.0\nv 1 0 0 0.5 0 2 # c\nv 0 1 0 -1 1 1 0.5\nv 1 1 1\nf 1 2 3");
     ASSERT_EQ(mesh.colors.size(), 4u);
     EXPECT_EQ(mesh.colors[0], Color{1.0f});
-    EXPECT_EQ(mesh.colors[1],
-              (Color{static_cast<float>(image::srgb_decode(0.5)), 0.0f, 1.0f}));
+    EXPECT_EQ(mesh.colors[1], (Color{static_cast<float>(image::srgb_decode(0.5)), 0.0f, 1.0f}));
     EXPECT_EQ(mesh.colors[2], (Color{0.0f, 1.0f, 1.0f}));
     EXPECT_EQ(mesh.colors[3], Color{1.0f});
     EXPECT_TRUE(read(on_line_4("v 1 1 1 0.5\nv 1 1 1 a b c")).colors.empty());

@@ -533,6 +533,11 @@ constexpr CodeInfo kInfos[] = {
  "mesh { file: \"/home/me/scene/bunny.obj\" }",
  "mesh { file: \"bunny.obj\" }"},
 
+{LRAY_CODE(W1701), "material or picture missing",
+"A mesh file names a file with materials, a material or a picture that is not there or may not be "
+"read. The mesh does without: what has no material of the file takes that of its block.",
+"v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib chair.mtl\nusemtl oak\nf 1 2 3",
+"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
 {LRAY_CODE(W1702), "faces left out",
  "Some faces of the mesh have no area or repeat a vertex; they are left out.",
  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2",
@@ -543,6 +548,11 @@ constexpr CodeInfo kInfos[] = {
  "divide; save the picture with values from 0 on.",
  "environment { image: \"sky.exr\" }  // of which a pixel is infinite",
  "environment { image: \"sky.exr\" }"},
+{LRAY_CODE(W1704), "not read from a file",
+"The file has something that lray does not show: free-form curves and surfaces in a mesh, or "
+"properties of a material that its models do not have. The rest is shown.",
+"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncurv 0 1 1 2 3",
+"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
 };
 // clang-format on
 

@@ -29,10 +29,10 @@ enum class Code : std::uint16_t {
     W1401, W1402, W1403, W1404, W1405,
     W1501, W1502, W1503,
     W1603, W1604, W1605,
-    W1702, W1703,
+    W1701, W1702, W1703, W1704,
 };
 // clang-format on
-inline constexpr std::size_t kCodeCount = static_cast<std::size_t>(Code::W1703) + 1;
+inline constexpr std::size_t kCodeCount = static_cast<std::size_t>(Code::W1704) + 1;
 
 /// What `--explain` prints. `wrong` and `right` are whole `.lrs` files (or of the named asset).
 struct CodeInfo {

@@ -22,6 +22,7 @@
 #include "base/source.h"
 #include "parser/load.h"
 #include "parser/tools/format.h"
+#include "render/threads.h"
 #include "scene/formats/obj_reader.h"
 
 namespace {
@@ -29,13 +30,15 @@ namespace {
 using namespace lray;
 
 constexpr std::string_view kUsage =
-    "usage: read_speed [--repeat K] FILE...\n"
-    "  Reads each .lrs, .nff or .obj file K times (5) on one thread; in seconds of processor time\n"
+    "usage: read_speed [--repeat K] [--threads N] FILE...\n"
+    "  Reads each .lrs, .nff or .obj file K times (5) on N threads (1); in seconds of processor "
+    "time,\n"
+    "  those of scene that have passed if there are more threads\n"
     "  bytes   the file into memory, nothing else\n"
     "  scene   .lrs, .nff: parser::load; .obj: the bytes and scene::read_obj\n"
     "  format  .lrs: the bytes and parser::format\n"
     "  peak    of the process (VmHWM) after the first time; beyond: of that, more than before\n"
-    "          and than the text\n";
+    "          and than the text; of a mesh also as a multiple of the mesh\n";
 
 constexpr double kMega = 1e6;
 
@@ -85,9 +88,10 @@ bool format_scene(const char* path) {
 }
 
 /// Returns the processor time that this process has used: what else the machine does is not in it.
-double used_seconds() {
+/// With more threads the time that has passed.
+double used_seconds(unsigned thread_count = 1) {
     timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    clock_gettime(thread_count == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
@@ -101,8 +105,15 @@ void print_row(std::string_view what, std::uint64_t size, std::vector<double> se
                megabytes / best, megabytes / median, memory);
 }
 
+/// Returns the bytes of the arrays that grow with a mesh.
+std::uint64_t size_of(const scene::Mesh& mesh) {
+    const auto bytes = [](const auto& array) { return array.size() * sizeof(array[0]); };
+    return bytes(mesh.positions) + bytes(mesh.normals) + bytes(mesh.uvs) + bytes(mesh.colors) +
+           bytes(mesh.triangles) + bytes(mesh.normal_indices) + bytes(mesh.uv_indices);
+}
+
 /// Prints the table of one file; false if it cannot be read.
-bool measure(const char* path, int repeat_count) {
+bool measure(const char* path, int repeat_count, unsigned thread_count) {
     std::uint64_t size = 0;
     {
         FileAccess files;
@@ -120,9 +131,10 @@ bool measure(const char* path, int repeat_count) {
     std::string memory;
     for (int i = 0; i < repeat_count; ++i) {
         Outcome outcome;
-        const double begin = used_seconds();
-        const bool is_read = read_scene(path, outcome);
-        scene_seconds.push_back(used_seconds() - begin);
+        const double begin = used_seconds(thread_count);
+        bool is_read = false;
+        render::with_threads(thread_count, [&] { is_read = read_scene(path, outcome); });
+        scene_seconds.push_back(used_seconds(thread_count) - begin);
         if (!is_read) {
             fmt::print(stderr, "{}{}: cannot be read\n",
                        format_diagnostics(outcome.diagnostics, outcome.sources, {}), path);
@@ -134,6 +146,10 @@ bool measure(const char* path, int repeat_count) {
             memory = fmt::format("peak {:.1f} MB, beyond the text {:.1f} MB = {:.2f} x text",
                                  static_cast<double>(peak) / kMega, beyond / kMega,
                                  beyond / static_cast<double>(size));
+            if (outcome.mesh) {
+                const auto mesh = static_cast<double>(size_of(*outcome.mesh));
+                memory += fmt::format(" = {:.2f} x mesh", beyond / mesh);
+            }
         }
     }
     std::vector<double> byte_seconds;
@@ -159,11 +175,11 @@ bool measure(const char* path, int repeat_count) {
 }
 
 /// Measures in a process of its own: the memory of one file is not that of the next.
-bool measure_apart(const char* path, int repeat_count) {
+bool measure_apart(const char* path, int repeat_count, unsigned thread_count) {
     std::fflush(stdout);
     const pid_t child = fork();
     if (child == 0) {
-        const bool is_measured = measure(path, repeat_count);
+        const bool is_measured = measure(path, repeat_count, thread_count);
         std::fflush(stdout);
         _exit(is_measured ? 0 : 1);
     }
@@ -176,18 +192,22 @@ bool measure_apart(const char* path, int repeat_count) {
 
 int main(int argc, char** argv) {
     int repeat_count = 5;
+    int thread_count = 1;
     int first_file = 1;
-    if (argc > 2 && std::string_view(argv[1]) == "--repeat") {
-        repeat_count = std::atoi(argv[2]);
-        first_file = 3;
+    for (; first_file + 1 < argc; first_file += 2) {
+        const std::string_view option = argv[first_file];
+        if (option != "--repeat" && option != "--threads") break;
+        (option == "--repeat" ? repeat_count : thread_count) = std::atoi(argv[first_file + 1]);
     }
-    if (repeat_count < 1 || first_file >= argc || argv[first_file][0] == '-') {
+    if (repeat_count < 1 || thread_count < 1 || first_file >= argc || argv[first_file][0] == '-') {
         fmt::print(stderr, "{}", kUsage);
         return 2;
     }
     bool are_all_measured = true;
     for (int i = first_file; i < argc; ++i) {
-        are_all_measured = measure_apart(argv[i], repeat_count) && are_all_measured;
+        are_all_measured =
+            measure_apart(argv[i], repeat_count, static_cast<unsigned>(thread_count)) &&
+            are_all_measured;
     }
     return are_all_measured ? 0 : 1;
 }

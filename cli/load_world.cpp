@@ -3,6 +3,7 @@
 #include "base/assert.h"
 #include "cli/run.h"
 #include "cli/view.h"
+#include "render/threads.h"
 #include "scene/flatten.h"
 #include "scene/lint.h"
 
@@ -12,8 +13,10 @@ LoadedWorld load_world(const Options& options, Stopwatch& watch, StageTimes& tim
     LoadedWorld loaded{.diagnostics = Diagnostics(options.warning_levels),
                        .files = file_access(options)};
     if (options.is_resuming || options.is_film) loaded.files.begin_fingerprint();
-    loaded.result = parser::load(options.scene_path, load_settings(options), loaded.files,
-                                 loaded.sources, loaded.diagnostics);
+    render::with_threads(options.thread_count, [&] {
+        loaded.result = parser::load(options.scene_path, load_settings(options), loaded.files,
+                                     loaded.sources, loaded.diagnostics);
+    });
     times.load += watch.lap();
     if (loaded.result.scene) {
         loaded.world = scene::flatten(loaded.scene(), options.flatten_limits, loaded.diagnostics);

@@ -8,10 +8,12 @@
 #include <span>
 #include <utility>
 
+#include "base/angle.h"
 #include "base/did_you_mean.h"
 #include "base/path.h"
 #include "image/read.h"
 #include "scene/formats/read_mesh.h"
+#include "scene/smooth_normals.h"
 
 namespace lray::parser {
 
@@ -110,6 +112,9 @@ std::optional<FileLoader::Found> FileLoader::add(ReadResult result, const Reques
 void FileLoader::report(const ReadResult& result, const Request& request) {
     const Span span = request.span;
     const std::string_view written = request.path;
+    if (request.need == Need::optional && result.status != ReadStatus::too_large) {
+        return warn_missing(result, request);
+    }
     switch (result.status) {
         case ReadStatus::ok:
             return;
@@ -127,24 +132,26 @@ void FileLoader::report(const ReadResult& result, const Request& request) {
             diagnostics_.error(Code::E0604, span,
                                fmt::format("`{}` is not a file with text in it", written));
             return;
-        case ReadStatus::too_large: {
-            SizeLimit& limit = request.limit;
-            limit.is_exceeded = true;
-            const bool is_first = limit.left == limit.bytes;
-            diagnostics_
-                .error(Code::E0516, span,
-                       is_first ? fmt::format("`{}` is larger than {} bytes", written, limit.bytes)
-                                : fmt::format("with `{}` the files are larger than {} bytes "
-                                              "together",
-                                              written, limit.bytes))
-                .with_help(fmt::format("raise the limit with `{} N`", limit.flag));
+        case ReadStatus::too_large:
+            report_too_large(request);
             return;
-        }
         case ReadStatus::unreadable:
             diagnostics_.error(Code::E0604, span,
                                fmt::format("`{}` cannot be read: {}", written, result.reason));
             return;
     }
+}
+
+void FileLoader::report_too_large(const Request& request) {
+    SizeLimit& limit = request.limit;
+    limit.is_exceeded = true;
+    const bool is_first = limit.left == limit.bytes;
+    diagnostics_
+        .error(Code::E0516, request.span,
+               is_first ? fmt::format("`{}` is larger than {} bytes", request.path, limit.bytes)
+                        : fmt::format("with `{}` the files are larger than {} bytes together",
+                                      request.path, limit.bytes))
+        .with_help(fmt::format("raise the limit with `{} N`", limit.flag));
 }
 
 void FileLoader::report_not_found(const ReadResult& result, const Request& request) {
@@ -173,27 +180,89 @@ void FileLoader::report_not_found(const ReadResult& result, const Request& reque
     }
 }
 
-std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId from, Span span,
-                                              scene::Scene& scene) {
-    const auto [known, is_new] = meshes_.try_emplace({directories_[from], std::string(path)});
-    std::optional<scene::MeshId>& mesh_id = known->second;
-    if (!is_new) return mesh_id;
-    const std::optional<scene::MeshFormat> format = scene::mesh_format_of(path);
-    if (!format) {
+void FileLoader::warn_missing(const ReadResult& result, const Request& request) {
+    const std::string_view written = request.path;
+    if (result.status == ReadStatus::outside) {
         diagnostics_
-            .error(Code::E0705, span,
-                   fmt::format("`{}` files are not read by this version",
-                               path.substr(path.rfind('.'))))
-            .with_help("save the mesh as OBJ");
+            .warning(Code::W1701, request.span,
+                     fmt::format("`{}` is outside the directories this scene may read", written))
+            .with_help(
+                fmt::format("if you trust the scene, allow it with `--allow {}`", result.allow));
+        return;
+    }
+    Diagnostic& warning = diagnostics_.warning(
+        Code::W1701, request.span,
+        result.status == ReadStatus::not_found
+            ? fmt::format("`{}` not found; the mesh does without", written)
+            : fmt::format("`{}` cannot be read; the mesh does without", written));
+    if (!result.nearest.empty()) {
+        warning.with_hint(fmt::format("did you mean `{}`?", result.nearest));
+    }
+}
+
+std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId from, Span span,
+                                              std::optional<double> smooth_degrees,
+                                              scene::Scene& scene) {
+    const auto [known, is_new] =
+        mesh_identities_.try_emplace({directories_[from], std::string(path)});
+    std::optional<std::string>& identity = known->second;
+    const Request request{path, span, Span{}, mesh_limit_};
+    if (is_new) {
+        const std::optional<scene::MeshFormat> format = scene::mesh_format_of(path);
+        if (!format) {
+            diagnostics_
+                .error(Code::E0705, span,
+                       fmt::format("`{}` files are not read by this version",
+                                   path.substr(path.rfind('.'))))
+                .with_help("save the mesh as OBJ");
+            return std::nullopt;
+        }
+        const std::optional<Found> found = read(request, from, mesh_files_);
+        if (!found) return std::nullopt;
+        identity = found->identity;
+        if (found->id) {
+            mesh_files_.insert(found->identity);
+            meshes_by_identity_.emplace(
+                found->identity, read_mesh(*format, *found->id, span, smooth_degrees, scene));
+        }
+    }
+    if (!identity) return std::nullopt;
+    std::optional<LoadedMesh>& loaded = meshes_by_identity_.at(*identity);
+    if (!loaded) return std::nullopt;
+    return smooth_again(*loaded, request, smooth_degrees, scene);
+}
+
+std::optional<scene::MeshId> FileLoader::smooth_again(LoadedMesh& loaded, const Request& request,
+                                                      std::optional<double> smooth_degrees,
+                                                      scene::Scene& scene) {
+    const auto made = loaded.by_smoothness.find(smooth_degrees);
+    if (made != loaded.by_smoothness.end()) return made->second;
+    if (request.limit.is_exceeded) return std::nullopt;
+    if (loaded.size > request.limit.left) {
+        report_too_large(request);
         return std::nullopt;
     }
-    const std::optional<Found> found = read({path, span, Span{}, mesh_limit_}, from, mesh_files_);
-    if (!found) return std::nullopt;
-    if (!found->id) return mesh_id = meshes_by_identity_.at(found->identity);
-    mesh_id = read_mesh(*format, *found->id, span, scene);
-    mesh_files_.insert(found->identity);
-    meshes_by_identity_.emplace(found->identity, mesh_id);
-    return mesh_id;
+    request.limit.left -= loaded.size;
+    const scene::MeshId first = loaded.by_smoothness.begin()->second;
+    scene::Mesh mesh = scene.meshes[first.index()];
+    mesh.smooth_degrees = smooth_degrees;
+    if (smooth_degrees) {
+        scene::smooth_by_angle(mesh, radians(*smooth_degrees));
+    } else {
+        mesh.normals = std::move(loaded.normals);
+        mesh.normal_indices = std::move(loaded.normal_indices);
+    }
+    const scene::MeshId id(scene.meshes.size());
+    scene.meshes.push_back(std::move(mesh));
+    mesh_sources_[id.value] = source_of(first);
+    loaded.by_smoothness.emplace(smooth_degrees, id);
+    return id;
+}
+
+std::optional<SourceId> FileLoader::companion(std::string_view path, SourceId from, Span span) {
+    const std::optional<Found> found =
+        read({path, span, Span{}, mesh_limit_, Need::optional}, from);
+    return found ? found->id : std::nullopt;
 }
 
 std::optional<image::Image> FileLoader::heights(std::string_view path, SourceId from, Span span) {
@@ -214,20 +283,40 @@ std::optional<image::Image> FileLoader::heights(std::string_view path, SourceId 
 std::optional<scene::PictureId> FileLoader::picture(std::string_view path, SourceId from, Span span,
                                                     scene::Scene& scene) {
     const auto [known, is_new] = pictures_.try_emplace({directories_[from], std::string(path)});
-    if (is_new) known->second = read_picture(path, from, span, scene);
+    if (is_new) known->second = read_picture(path, from, span, Need::required, scene);
     return known->second;
 }
 
+std::optional<scene::PictureId> FileLoader::companion_picture(std::string_view path, SourceId from,
+                                                              Span span, scene::Scene& scene) {
+    std::pair<std::string, std::string> name{directories_[from], std::string(path)};
+    const auto known = pictures_.find(name);
+    if (known != pictures_.end()) return known->second;
+    if (!companion_pictures_.insert(name).second) return std::nullopt;  // said once
+    const auto picture = read_picture(path, from, span, Need::optional, scene);
+    // Where a scene names one that is missing, it is an error.
+    if (picture) pictures_.emplace(std::move(name), picture);
+    return picture;
+}
+
 std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, SourceId from,
-                                                         Span span, scene::Scene& scene) {
+                                                         Span span, Need need,
+                                                         scene::Scene& scene) {
     if (const std::string_view format = other_picture_format(path); !format.empty()) {
+        if (need == Need::optional) {
+            diagnostics_
+                .warning(Code::W1701, span,
+                         fmt::format("`{}` files are not read by this version", format))
+                .with_help("save the picture as PNG or JPEG");
+            return std::nullopt;
+        }
         diagnostics_
             .error(Code::E0705, span,
                    fmt::format("`{}` files are not read by this version", format))
             .with_help("save the picture as PNG, JPEG, Radiance HDR or OpenEXR");
         return std::nullopt;
     }
-    const std::optional<Found> found = read({path, span, Span{}, texture_limit_}, from);
+    const std::optional<Found> found = read({path, span, Span{}, texture_limit_, need}, from);
     if (!found) return std::nullopt;
     const SourceId file = *found->id;
     const std::string_view text = sources_[file].text.view();
@@ -271,17 +360,30 @@ void FileLoader::warn_of_mended(image::Image& light, std::string_view path, Span
                     double{image::kMostPictureLight}));
 }
 
-std::optional<scene::MeshId> FileLoader::read_mesh(scene::MeshFormat format, SourceId file,
-                                                   Span span, scene::Scene& scene) {
-    const std::size_t errors_before = diagnostics_.error_count() + diagnostics_.warning_count();
+std::optional<FileLoader::LoadedMesh> FileLoader::read_mesh(scene::MeshFormat format, SourceId file,
+                                                            Span span,
+                                                            std::optional<double> smooth_degrees,
+                                                            scene::Scene& scene) {
+    const std::size_t told_before = diagnostics_.error_count() + diagnostics_.warning_count();
+    LoadedMesh loaded;
+    loaded.size = sources_[file].text.size();
     std::optional<scene::Mesh> mesh = scene::read_mesh(format, sources_, file, span, diagnostics_);
-    if (diagnostics_.error_count() + diagnostics_.warning_count() == errors_before) {
+    if (diagnostics_.error_count() + diagnostics_.warning_count() == told_before) {
         sources_.release_text(file);  // nothing in it will be shown
     }
     if (!mesh) return std::nullopt;
     mesh->file = path_from_main(file);
+    if (smooth_degrees) {
+        loaded.normals = std::exchange(mesh->normals, {});
+        loaded.normal_indices = std::exchange(mesh->normal_indices, {});
+        mesh->smooth_degrees = smooth_degrees;
+        scene::smooth_by_angle(*mesh, radians(*smooth_degrees));
+    }
+    const scene::MeshId id(scene.meshes.size());
     scene.meshes.push_back(std::move(*mesh));
-    return scene::MeshId(scene.meshes.size() - 1);
+    mesh_sources_[id.value] = file;
+    loaded.by_smoothness.emplace(smooth_degrees, id);
+    return loaded;
 }
 
 }  // namespace lray::parser

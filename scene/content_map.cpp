@@ -12,13 +12,16 @@ namespace {
 enum class State : std::uint8_t { unseen, open, done };
 
 std::vector<std::uint32_t> find_equal_uses(const Scene& scene) {
-    std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, std::uint32_t> first_uses;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, bool, bool>, std::uint32_t> first_uses;
     std::vector<std::uint32_t> equal;
     equal.reserve(scene.mesh_uses.size());
     for (const MeshUse& use : scene.mesh_uses) {
         const auto index = static_cast<std::uint32_t>(equal.size());
-        equal.push_back(first_uses.try_emplace({use.mesh_id.value, use.part, use.z_is_up}, index)
-                            .first->second);
+        const bool shows_materials = has_materials(scene, use);
+        equal.push_back(
+            first_uses
+                .try_emplace({use.mesh_id.value, use.part, use.z_is_up, shows_materials}, index)
+                .first->second);
     }
     return equal;
 }
@@ -78,6 +81,10 @@ void ContentMap::order(const Scene& scene) {
         below_first_.push_back(stack.back().id);
         stack.pop_back();
     }
+}
+
+bool has_materials(const Scene& scene, const MeshUse& use) {
+    return use.shows_materials && !scene.meshes[use.mesh_id.index()].materials.empty();
 }
 
 std::vector<TriangleRange> triangles_of(const Scene& scene, const MeshUse& use) {

@@ -82,4 +82,7 @@ std::vector<TriangleRange> triangles_of(const Scene& scene, const MeshUse& use);
 /// Returns how many those are.
 std::uint64_t triangle_count(const Scene& scene, const MeshUse& use);
 
+/// True if materials of its file may be seen in a use of a mesh.
+bool has_materials(const Scene& scene, const MeshUse& use);
+
 }  // namespace lray::scene

@@ -28,4 +28,13 @@ std::span<const std::uint32_t> parts_named(const Mesh& mesh, std::string_view na
     return {first, std::upper_bound(first, order.end(), name, is_behind)};
 }
 
+std::optional<std::size_t> material_run_at(const Mesh& mesh, std::size_t triangle) {
+    const auto& runs = mesh.material_runs;
+    const auto next = std::upper_bound(
+        runs.begin(), runs.end(), triangle,
+        [](std::size_t index, const MaterialRun& run) { return index < run.first_triangle; });
+    if (next == runs.begin()) return std::nullopt;
+    return static_cast<std::size_t>(next - runs.begin()) - 1;
+}
+
 }  // namespace lray::scene

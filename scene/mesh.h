@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/ids.h"
 
 namespace lray::scene {
 
@@ -33,7 +35,7 @@ struct MaterialRun {
 /// Shape: `normal_indices` and `uv_indices` are empty or as long as `triangles`. A triple in
 /// `normal_indices` whose first index is kNone has no normals of its own, likewise uvs. `colors` is
 /// empty or as long as `positions`. `material_runs` rise; none begins before the first triangle
-/// that has a material.
+/// that has a material. `materials` is empty or as long as `material_names`.
 /// Space: the file's; normals are unit, colours linear and in [0, 1].
 struct Mesh {
     static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -52,10 +54,16 @@ struct Mesh {
     std::vector<MaterialRun> material_runs{};
     std::vector<std::string> material_names{};  // each once
     std::vector<std::string> material_files{};  // that define them, as the file names them
+    std::vector<MaterialId> materials{};        // by name, once they are read; none: not defined
+
+    std::optional<double> smooth_degrees{};  // of smooth_by_angle(), which made its normals
 };
 
 /// Orders the parts for parts_named(), once they are all there.
 void index_parts(Mesh& mesh);
+
+/// Returns the run that a triangle is in, by its index; empty before the first run.
+std::optional<std::size_t> material_run_at(const Mesh& mesh, std::size_t triangle);
 
 /// Returns the indices of the parts of a name, in the order of the file.
 std::span<const std::uint32_t> parts_named(const Mesh& mesh, std::string_view name);

@@ -70,6 +70,45 @@ std::span<const IndexTriple> slice(const std::vector<IndexTriple>& triples, Tria
     return std::span{triples}.subspan(range.first, range.count);
 }
 
+/// Which material of the file the triangles of a mesh have, one after the other: its number, or
+/// the number of materials where there is none.
+class MaterialWalk {
+ public:
+    MaterialWalk(const Mesh& mesh, bool are_shown, std::size_t first_triangle)
+        : mesh_(mesh), are_shown_(are_shown && !mesh.material_runs.empty()) {
+        if (!are_shown_) return;
+        const auto run = material_run_at(mesh, first_triangle);
+        next_run_ = run ? *run + 1 : 0;
+        if (run) number_ = number_of(mesh.material_runs[*run]);
+    }
+
+    std::size_t number() const { return number_; }
+
+    /// Goes on to a triangle; true if the number is another one.
+    bool advance(std::size_t triangle) {
+        if (!are_shown_) return false;
+        const std::size_t before = number_;
+        while (next_run_ < mesh_.material_runs.size() &&
+               mesh_.material_runs[next_run_].first_triangle <= triangle) {
+            number_ = number_of(mesh_.material_runs[next_run_]);
+            ++next_run_;
+        }
+        return number_ != before;
+    }
+
+ private:
+    std::size_t number_of(const MaterialRun& run) const {
+        const bool is_defined =
+            run.material != MaterialRun::kNone && !mesh_.materials[run.material].is_none();
+        return is_defined ? run.material : mesh_.materials.size();
+    }
+
+    const Mesh& mesh_;
+    bool are_shown_ = false;
+    std::size_t next_run_ = 0;
+    std::size_t number_ = mesh_.materials.size();
+};
+
 DVec3 turn_up(Vec3 v, bool z_is_up) {
     const DVec3 d{v};
     return z_is_up ? DVec3{d.x, d.z, -d.y} : d;
@@ -77,15 +116,35 @@ DVec3 turn_up(Vec3 v, bool z_is_up) {
 
 }  // namespace
 
-void Placer::place_mesh(const Node& node, const Placement& placement) {
-    for (const TriangleRange range : triangles_of(scene_, scene_.mesh_uses[node.index])) {
-        place_triangles(node, range, placement);
+void Placer::place_mesh(NodeId node_id, const Placement& placement) {
+    const MeshUse& use = scene_.mesh_uses[scene_.node(node_id).index];
+    mesh_objects_.clear();
+    for (const TriangleRange range : triangles_of(scene_, use)) {
+        place_triangles(node_id, range, placement);
     }
 }
 
-void Placer::place_triangles(const Node& node, TriangleRange range, const Placement& placement) {
+/// Makes `object_id_` the one of a mesh's triangles of a material; `number` counts those of the
+/// file, the last one is for triangles that have none of it. False if it was refused.
+bool Placer::enter_material(NodeId node_id, std::size_t number, const Placement& placement) {
+    if (const auto known = mesh_objects_.find(number); known != mesh_objects_.end()) {
+        object_id_ = known->second;
+        return true;
+    }
+    const Mesh& mesh = scene_.meshes[scene_.mesh_uses[scene_.node(node_id).index].mesh_id.index()];
+    Placement own = placement;
+    if (number < mesh.materials.size()) own.material = mesh.materials[number].value + 1;
+    if (!begin_object(node_id, own)) return false;
+    mesh_objects_.emplace(number, object_id_);
+    return true;
+}
+
+void Placer::place_triangles(NodeId node_id, TriangleRange range, const Placement& placement) {
+    const Node& node = scene_.node(node_id);
     const MeshUse& use = scene_.mesh_uses[node.index];
     const Mesh& mesh = scene_.meshes[use.mesh_id.index()];
+    MaterialWalk materials(mesh, has_materials(scene_, use), range.first);
+    if (!enter_material(node_id, materials.number(), placement)) return;
     const Transform& transform = placement.world_from_object;
     const auto triangles = slice(mesh.triangles, range);
     const auto normal_triples = slice(mesh.normal_indices, range);
@@ -120,6 +179,10 @@ void Placer::place_triangles(const Node& node, TriangleRange range, const Placem
                           geometry_.vertices[vertices[2]])) {
             ++dropped_count;
             continue;
+        }
+        if (materials.advance(range.first + i) &&
+            !enter_material(node_id, materials.number(), placement)) {
+            return;
         }
         geometry_.triangles.push_back({vertices});
         add_object_id(PrimitiveKind::triangle);

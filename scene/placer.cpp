@@ -59,10 +59,8 @@ bool is_degenerate(Vec3 a, Vec3 b, Vec3 c) {
 
 void Placer::place(NodeId node_id, const Placement& placement) {
     const Node& node = scene_.node(node_id);
-    add_object(node_id, placement);
-    if (space_rule_.is_kept(placement.material) && !keep_space(node, placement.world_from_object)) {
-        return;
-    }
+    if (node.kind == NodeKind::mesh) return place_mesh(node_id, placement);
+    if (!begin_object(node_id, placement)) return;
     switch (node.kind) {
         case NodeKind::sphere:
             return place_sphere(node, placement);
@@ -81,7 +79,6 @@ void Placer::place(NodeId node_id, const Placement& placement) {
         case NodeKind::torus:
             return place_torus(node, placement);
         case NodeKind::mesh:
-            return place_mesh(node, placement);
         case NodeKind::group:
         case NodeKind::instance:
         case NodeKind::light:
@@ -94,6 +91,12 @@ void Placer::add_object(NodeId node_id, const Placement& placement) {
     object_id_ = ObjectId{geometry_.objects.size()};
     geometry_.objects.push_back(
         {node_id, placement.material, placement.visible, placement.casts_shadow});
+}
+
+bool Placer::begin_object(NodeId node_id, const Placement& placement) {
+    add_object(node_id, placement);
+    return !space_rule_.is_kept(placement.material) ||
+           keep_space(scene_.node(node_id), placement.world_from_object);
 }
 
 bool Placer::keep_space(const Node& node, const Transform& world_from_object) {

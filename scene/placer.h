@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 
 #include "base/diagnostics.h"
 #include "scene/content_map.h"
@@ -74,8 +75,9 @@ class Placer {
     void place_box(const Node& node, const Placement& placement);
     void place_plane(const Node& node, const Placement& placement);
     void place_torus(const Node& node, const Placement& placement);
-    void place_mesh(const Node& node, const Placement& placement);
-    void place_triangles(const Node& node, TriangleRange range, const Placement& placement);
+    void place_mesh(NodeId node_id, const Placement& placement);
+    bool enter_material(NodeId node_id, std::size_t number, const Placement& placement);
+    void place_triangles(NodeId node_id, TriangleRange range, const Placement& placement);
 
     /// Returns the frame of the canonical shape that `linear` and `offset` bring into the world;
     /// empty when that was refused.
@@ -89,6 +91,10 @@ class Placer {
     void warn_no_area(const Node& node);
 
     void add_object(NodeId node_id, const Placement& placement);
+
+    /// Begins the object that the primitives to come are of, and keeps its space by the rule. False
+    /// if there is none: the shape is refused.
+    bool begin_object(NodeId node_id, const Placement& placement);
 
     /// Keeps the space of the shape being placed. False if there is none: the shape is refused.
     bool keep_space(const Node& node, const Transform& world_from_object);
@@ -105,6 +111,8 @@ class Placer {
     Geometry& geometry_;
     Diagnostics& diagnostics_;
     ObjectId object_id_{};
+    std::unordered_map<std::size_t, ObjectId>
+        mesh_objects_{};  // of the mesh being placed, by material
     std::size_t refused_count_ = 0;
     double thinness_ = 1.0;
 };

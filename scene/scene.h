@@ -72,6 +72,7 @@ struct MeshUse {
     MeshId mesh_id{};
     std::uint32_t part = kAllParts;
     bool z_is_up = false;
+    bool shows_materials = false;  // those of its file, where they are read
 };
 
 struct Scene {

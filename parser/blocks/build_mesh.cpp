@@ -7,9 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/did_you_mean.h"
 #include "base/numerics.h"
+#include "parser/blocks/load_mesh_materials.h"
 #include "parser/blocks/schemas.h"
+#include "scene/smooth_normals.h"
 
 namespace lray::parser {
 
@@ -24,6 +27,8 @@ constexpr std::size_t kPositions = slot(kMesh, "positions");
 constexpr std::size_t kTriangles = slot(kMesh, "triangles");
 constexpr std::size_t kNormals = slot(kMesh, "normals");
 constexpr std::size_t kUvs = slot(kMesh, "uvs");
+constexpr std::size_t kSmooth = slot(kMesh, "smooth");
+constexpr std::size_t kUseMtl = slot(kMesh, "use_mtl");
 
 std::optional<std::uint32_t> find_part(const scene::Mesh& mesh, std::string_view name, Span span,
                                        Diagnostics& diagnostics) {
@@ -55,6 +60,11 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
     scene::Mesh mesh;
     const Value& positions = values[kPositions];
     const Value& triangles = values[kTriangles];
+    if (values.has(kNormals) && values.has(kSmooth)) {
+        diagnostics.error(Code::E0411, value_spans[kSmooth],
+                          "give `normals` or `smooth`, not both");
+        return std::nullopt;
+    }
     if (triangles.count == 0) {
         diagnostics.error(Code::E0704, value_spans[kTriangles], "this mesh has no triangles");
         return std::nullopt;
@@ -116,6 +126,10 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
         }
         mesh.uv_indices = mesh.triangles;
     }
+    if (values.has(kSmooth)) {
+        mesh.smooth_degrees = values.number(kSmooth);
+        scene::smooth_by_angle(mesh, radians(*mesh.smooth_degrees));
+    }
     return mesh;
 }
 
@@ -123,8 +137,8 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
 
 std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
                                          const std::array<Span, kMaxProperties>& value_spans,
-                                         Span span, FileLoader& files, scene::Scene& scene,
-                                         Diagnostics& diagnostics) {
+                                         Span span, bool has_material, FileLoader& files,
+                                         scene::Scene& scene, Diagnostics& diagnostics) {
     scene::MeshUse use;
     use.z_is_up = values.string(kUp, "y") == "z";
     if (!values.has(kFile)) {
@@ -136,10 +150,17 @@ std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
     }
     const Value& file = values[kFile];
     const Span file_span = value_spans[kFile].is_nowhere() ? span : value_spans[kFile];
+    std::optional<double> smooth_degrees;
+    if (values.has(kSmooth)) smooth_degrees = values.number(kSmooth);
     const std::optional<scene::MeshId> mesh_id =
-        files.mesh(file.string(), file.source, file_span, scene);
+        files.mesh(file.string(), file.source, file_span, smooth_degrees, scene);
     if (!mesh_id) return std::nullopt;
     use.mesh_id = *mesh_id;
+    use.shows_materials = values.boolean(kUseMtl) && !has_material;
+    if (use.shows_materials &&
+        !load_mesh_materials(*mesh_id, file_span, files, scene, diagnostics)) {
+        return std::nullopt;
+    }
     if (values.has(kPart)) {
         const Span part_span = value_spans[kPart].is_nowhere() ? span : value_spans[kPart];
         const std::optional<std::uint32_t> part = find_part(

@@ -12,11 +12,12 @@
 namespace lray::parser {
 
 /// Returns the use of the mesh that the properties describe; a mesh that is new joins the scene.
-/// Errors: empty; what the file loader reports, E0403 no such part, E0702 index, E0704 empty, each
-/// at the property's value.
+/// A block that has a `material` of its own does not show those of its file.
+/// Errors: empty; what the file loader reports, E0403 no such part, E0411 `normals` and `smooth`,
+/// E0702 index, E0704 empty, each at the property's value; W1701 as load_mesh_materials().
 std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
                                          const std::array<Span, kMaxProperties>& value_spans,
-                                         Span span, FileLoader& files, scene::Scene& scene,
-                                         Diagnostics& diagnostics);
+                                         Span span, bool has_material, FileLoader& files,
+                                         scene::Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace lray::parser

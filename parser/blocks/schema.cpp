@@ -135,10 +135,8 @@ struct FutureProperty {
     std::string_view name{};
 };
 
-constexpr std::array<FutureProperty, 3> kPropertiesNotYet = {{
+constexpr std::array<FutureProperty, 1> kPropertiesNotYet = {{
     {BlockKind::camera, "exposure"},
-    {BlockKind::mesh, "smooth"},
-    {BlockKind::mesh, "use_mtl"},
 }};
 
 // clang-format off

@@ -30,6 +30,7 @@ inline constexpr std::array<std::string_view, 2> kGammas = {"srgb", "linear"};
 inline constexpr std::array<std::string_view, 2> kIntegrators = {"whitted", "path"};
 inline constexpr std::array<std::string_view, 2> kSamplers = {"sobol", "random"};
 
+inline constexpr Range kSmoothAngle{0.0, 180.0, false};
 inline constexpr Range kOctaves{1.0, 16.0, false};
 inline constexpr Range kLightSamples{1.0, 4096.0, false};
 
@@ -103,7 +104,7 @@ inline constexpr std::array<PropertySchema, 2> kTorus = {{
     {"tube", number, "0.25", "the radius of the tube", kPositive, {0.25}},
 }};
 
-inline constexpr std::array<PropertySchema, 7> kMesh = {{
+inline constexpr std::array<PropertySchema, 9> kMesh = {{
     {"file", file, "", "an OBJ file", kAnyNumber, {}, true, Form::first},
     {"part", string, "", "only the group or object of that name", kAnyNumber, {}, false, Form::first},
     {"up", option, "\"y\"", "the axis that points up in the file", kAnyNumber, {}, false, Form::any, kUpAxes},
@@ -111,6 +112,8 @@ inline constexpr std::array<PropertySchema, 7> kMesh = {{
     {"triangles", index_triples, "", "three vertex indices each, from 0", kAnyNumber, {}, true, Form::second},
     {"normals", points, "", "a normal for each vertex", kAnyNumber, {}, false, Form::second},
     {"uvs", uvs, "", "texture coordinates for each vertex", kAnyNumber, {}, false, Form::second},
+    {"smooth", number, "", "faces that meet at less than so many degrees are smooth; 0: all are flat", kSmoothAngle},
+    {"use_mtl", boolean, "true", "the materials that the file names, unless there is a `material`", kAnyNumber, {1}, false, Form::first},
 }};
 
 inline constexpr std::array<PropertySchema, 6> kHeightfield = {{

@@ -314,7 +314,8 @@ std::optional<ShapeRef> Evaluator::shape_of(const OpenBlock& open) {
         const std::uint64_t size = numbers * sizeof(float);
         if (!take_kept_bytes(budget_, size, open.span, diagnostics_)) return std::nullopt;
         const std::optional<scene::MeshUse> use =
-            build_mesh(open.values, open.value_spans, open.span, files_, scene_, diagnostics_);
+            build_mesh(open.values, open.value_spans, open.span, open.material_id.has_value(),
+                       files_, scene_, diagnostics_);
         if (!use) return std::nullopt;
         if (use->part != scene::MeshUse::kAllParts) {
             // A name may return in every other part of a file, and be used in every mesh.

@@ -304,6 +304,9 @@ class Dumper {
             block.add("part", quoted(mesh.parts[use.part].name));
         }
         if (use.z_is_up) block.add("up", "\"z\"");
+        if (mesh.smooth_degrees) block.add("smooth", *mesh.smooth_degrees);
+        const bool says_no_materials = !mesh.material_names.empty() && !use.shows_materials;
+        if (says_no_materials && node.material_id.is_none()) block.add("use_mtl", false);
         add_common(node, block);
         if (!mesh.file.empty()) {
             text_ += block.text(labelled("mesh", node), indent);
@@ -313,7 +316,8 @@ class Dumper {
         block.append_lines(text_, indent + 2);
         write_rows("positions", mesh.positions, 3, indent + 2);
         write_rows("triangles", mesh.triangles, 3, indent + 2);
-        if (!mesh.normals.empty()) write_rows("normals", mesh.normals, 3, indent + 2);
+        if (!mesh.normals.empty() && !mesh.smooth_degrees)
+            write_rows("normals", mesh.normals, 3, indent + 2);
         if (!mesh.uvs.empty()) write_rows("uvs", mesh.uvs, 2, indent + 2);
         text_.append(indent, ' ');
         text_ += '}';

@@ -39,7 +39,11 @@ void add_statements(const char* at, const char* end, Counts& counts) {
                 break;
             case Statement::group:
             case Statement::object:
+            case Statement::material:
+            case Statement::smoothing:
+            case Statement::free_form:
                 break;
+            case Statement::library:
             case Statement::other:
                 at = find_line_end(at, end);
                 if (*at == '\0') ++at;
@@ -52,10 +56,23 @@ void add_statements(const char* at, const char* end, Counts& counts) {
 
 }  // namespace
 
-Counts count_statements(const Text& text) {
+Counts& Counts::operator+=(const Counts& other) {
+    positions += other.positions;
+    uvs += other.uvs;
+    normals += other.normals;
+    faces += other.faces;
+    corners += other.corners;
+    return *this;
+}
+
+Counts count_statements(const char* begin, const char* end) {
     Counts counts;
-    add_statements(text.data(), text.data() + text.size(), counts);
+    add_statements(begin, end, counts);
     return counts;
+}
+
+Counts count_statements(const Text& text) {
+    return count_statements(text.data(), text.data() + text.size());
 }
 
 Counts estimate_counts(const Text& text) {

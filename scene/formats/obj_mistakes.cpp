@@ -15,19 +15,17 @@ std::string_view text_between(const char* begin, const char* end) {
     return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-std::string_view token_at(const char* begin) {
-    return text_between(begin, skip_token(begin));
-}
-
 }  // namespace
 
-void Mistakes::wrong_number(const char* statement, const char* begin, std::size_t found_count) {
+void Mistakes::wrong_number(const char* statement, const char* begin, std::size_t found_count,
+                            std::string_view needed) {
     ++count_;
     if (!are_told()) return;
     if (is_line_end(*begin) || *begin == '#') {
         const std::string_view keyword = text_between(statement, skip_token(statement));
-        const std::string_view needed = keyword == "vt" ? "1 to 3" : "3";
-        too_few(statement, begin, fmt::format("`{}` needs {} numbers", keyword, needed),
+        too_few(statement, begin,
+                needed == "1" ? fmt::format("`{}` needs a number", keyword)
+                              : fmt::format("`{}` needs {} numbers", keyword, needed),
                 found_count);
         return;
     }
@@ -82,7 +80,12 @@ void Mistakes::no_faces() {
     tell(Code::E0704, text_.data(), text_.data(), "this file has no faces (`f` statements)");
 }
 
-bool Mistakes::find_binary() {
+void Mistakes::wrong(const char* begin, const char* end, std::string message) {
+    ++count_;
+    if (are_told()) tell(Code::E0701, begin, end, std::move(message));
+}
+
+bool Mistakes::find_binary(std::string_view format) {
     const std::string_view text = text_.view();
     const std::size_t nul = text.find('\0');
     if (nul == text.npos) return false;
@@ -92,7 +95,7 @@ bool Mistakes::find_binary() {
         tell(Code::E0003, text.data(), text.data() + 2, "this file is UTF-16; save it as UTF-8");
     } else {
         tell(Code::E0003, text.data() + nul, text.data() + nul + 1,
-             "this is not OBJ text but a binary file: here is a NUL byte");
+             fmt::format("this is not {} text but a binary file: here is a NUL byte", format));
     }
     return true;
 }

@@ -1,4 +1,4 @@
-// The words for what is wrong with an OBJ file.
+// The words for what is wrong with an OBJ or MTL file.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +36,9 @@ class Mistakes {
     bool is_enough() const { return !are_told() || count_ >= kMaxTold; }
 
     /// The token at `begin` is not a finite number that a float holds; or the statement ends
-    /// there, after `found_count` numbers.
-    void wrong_number(const char* statement, const char* begin, std::size_t found_count);
+    /// there, after `found_count` numbers of those `needed`: "3".
+    void wrong_number(const char* statement, const char* begin, std::size_t found_count,
+                      std::string_view needed);
 
     /// The token that `at` is in is not a corner of a face.
     void wrong_corner(const char* statement, const char* at);
@@ -52,8 +53,11 @@ class Mistakes {
 
     void no_faces();
 
+    /// E0701 at [begin, end).
+    void wrong(const char* begin, const char* end, std::string message);
+
     /// Tells of text that is none, at its first NUL; returns false if it has none.
-    bool find_binary();
+    bool find_binary(std::string_view format = "OBJ");
 
  private:
     void too_few(const char* statement, const char* end, std::string_view needs,

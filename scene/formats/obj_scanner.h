@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 #include "base/source.h"
 
@@ -43,6 +44,10 @@ inline const char* skip_token(const char* at) {
     return at;
 }
 
+inline std::string_view token_at(const char* begin) {
+    return {begin, static_cast<std::size_t>(skip_token(begin) - begin)};
+}
+
 /// Returns the end of the line, eight bytes at a time; or a place at or behind `limit`.
 /// Source: Warren, "Hacker's Delight", 2nd ed., 6-1: the lowest byte below a bound.
 inline const char* find_line_end(const char* at, const char* limit) {
@@ -74,10 +79,26 @@ inline const char* find_statement_end(const char* begin, const char* at, const c
     }
 }
 
-enum class Statement : std::uint8_t { position, uv, normal, face, group, object, other };
+enum class Statement : std::uint8_t {
+    position,
+    uv,
+    normal,
+    face,
+    group,
+    object,
+    material,
+    library,
+    smoothing,
+    free_form,  // `curv`, `curv2`, `surf`
+    other,
+};
 
 /// Returns what a statement is by its keyword.
 inline Statement statement_at(const char* at) {
+    const auto is = [at](std::string_view keyword) {
+        return std::memcmp(at, keyword.data(), keyword.size()) == 0 &&
+               is_token_end(at + keyword.size());
+    };
     switch (at[0]) {
         case 'v':
             if (is_token_end(at + 1)) return Statement::position;
@@ -90,6 +111,15 @@ inline Statement statement_at(const char* at) {
             return is_token_end(at + 1) ? Statement::group : Statement::other;
         case 'o':
             return is_token_end(at + 1) ? Statement::object : Statement::other;
+        case 's':
+            if (is_token_end(at + 1)) return Statement::smoothing;
+            return is("surf") ? Statement::free_form : Statement::other;
+        case 'u':
+            return is("usemtl") ? Statement::material : Statement::other;
+        case 'm':
+            return is("mtllib") ? Statement::library : Statement::other;
+        case 'c':
+            return is("curv") || is("curv2") ? Statement::free_form : Statement::other;
         default:
             return Statement::other;
     }

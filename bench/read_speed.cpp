@@ -22,7 +22,7 @@
 #include "base/source.h"
 #include "parser/load.h"
 #include "parser/tools/format.h"
-#include "scene/formats/obj_reader.h"
+#include "scene/formats/read_mesh.h"
 
 namespace {
 
@@ -30,9 +30,9 @@ using namespace lray;
 
 constexpr std::string_view kUsage =
     "usage: read_speed [--repeat K] FILE...\n"
-    "  Reads each .lrs or .obj file K times (5) on one thread; in seconds of processor time\n"
+    "  Reads each .lrs or mesh file K times (5) on one thread; in seconds of processor time\n"
     "  bytes   the file into memory, nothing else\n"
-    "  scene   .lrs: parser::load; .obj: the bytes and scene::read_obj\n"
+    "  scene   .lrs: parser::load; .obj, .ply: the bytes and scene::read_mesh\n"
     "  format  .lrs: the bytes and parser::format\n"
     "  peak    of the process (VmHWM) after the first time; beyond: of that, more than before\n"
     "          and than the text\n";
@@ -73,7 +73,8 @@ bool read_scene(const char* path, Outcome& outcome) {
     ReadResult result = files.read_main(path, std::numeric_limits<std::uint32_t>::max());
     if (result.status != ReadStatus::ok) return false;
     const SourceId file = outcome.sources.add(path, std::move(result.text));
-    outcome.mesh = scene::read_obj(outcome.sources, file, Span{}, outcome.diagnostics);
+    const scene::MeshFormat format = scene::mesh_format_of(path).value_or(scene::MeshFormat::obj);
+    outcome.mesh = scene::read_mesh(format, outcome.sources, file, Span{}, outcome.diagnostics);
     return outcome.mesh.has_value();
 }
 

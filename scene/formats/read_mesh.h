@@ -11,7 +11,7 @@
 
 namespace lray::scene {
 
-enum class MeshFormat : std::uint8_t { obj };
+enum class MeshFormat : std::uint8_t { obj, ply };
 
 /// Returns the format of a file by the ending of its name, in any letter case; of one that ends
 /// otherwise OBJ; empty for an ending that is known to be that of another format.

@@ -74,7 +74,7 @@ bool read_scene(const char* path, Outcome& outcome) {
     if (result.status != ReadStatus::ok) return false;
     const SourceId file = outcome.sources.add(path, std::move(result.text));
     const scene::MeshFormat format = scene::mesh_format_of(path).value_or(scene::MeshFormat::obj);
-    outcome.mesh = scene::read_mesh(format, outcome.sources, file, Span{}, outcome.diagnostics);
+    outcome.mesh = scene::read_mesh(format, outcome.sources, file, Span{}, {}, outcome.diagnostics);
     return outcome.mesh.has_value();
 }
 

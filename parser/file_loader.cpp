@@ -183,7 +183,7 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
             .error(Code::E0705, span,
                    fmt::format("`{}` files are not read by this version",
                                path.substr(path.rfind('.'))))
-            .with_help("save the mesh as OBJ");
+            .with_help("save the mesh as OBJ, PLY, glTF (.glb) or STL");
         return std::nullopt;
     }
     const std::optional<Found> found = read({path, span, Span{}, mesh_limit_}, from, mesh_files_);
@@ -262,7 +262,7 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
 std::optional<scene::MeshId> FileLoader::read_mesh(scene::MeshFormat format, SourceId file,
                                                    Span span, scene::Scene& scene) {
     const std::size_t errors_before = diagnostics_.error_count() + diagnostics_.warning_count();
-    std::optional<scene::Mesh> mesh = scene::read_mesh(format, sources_, file, span, diagnostics_);
+    std::optional<scene::Mesh> mesh = scene::read_mesh(format, sources_, file, span, import_, diagnostics_);
     if (diagnostics_.error_count() + diagnostics_.warning_count() == errors_before) {
         sources_.release_text(file);  // nothing in it will be shown
     }

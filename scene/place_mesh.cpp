@@ -70,6 +70,12 @@ std::span<const IndexTriple> slice(const std::vector<IndexTriple>& triples, Tria
     return std::span{triples}.subspan(range.first, range.count);
 }
 
+Color mean_color(std::span<const Color> colors) {
+    DVec3 sum{0.0};
+    for (const Color color : colors) sum += DVec3{color};
+    return Color{sum / static_cast<double>(colors.size())};
+}
+
 DVec3 turn_up(Vec3 v, bool z_is_up) {
     const DVec3 d{v};
     return z_is_up ? DVec3{d.x, d.z, -d.y} : d;
@@ -97,6 +103,15 @@ void Placer::place_triangles(const Node& node, TriangleRange range, const Placem
         const DVec3 p = transform.point(turn_up(mesh.positions[positions.element(i)], use.z_is_up));
         if (!are_placeable(node, {&p, 1})) return;
         geometry_.vertices.push_back(Vec3{p});
+    }
+
+    if (scene_.shows_vertex_colors && !mesh.colors.empty()) {
+        geometry_.colors.resize(first_vertex, Color{1.0f});
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            geometry_.colors.push_back(mesh.colors[positions.element(i)]);
+        }
+        geometry_.mean_colors.resize(object_id_.index(), Color{1.0f});
+        geometry_.mean_colors.push_back(mean_color(mesh.colors));
     }
 
     const UsedElements normals(normal_triples, mesh.normals.size());

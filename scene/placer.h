@@ -56,7 +56,8 @@ class Placer {
     /// Adds an instance: `node`, or what it is placed by, takes the place of what it holds.
     void place_instance(NodeId node_id, const Prototype& prototype, const Placement& placement);
 
-    /// Makes triangle_normals and triangle_uvs as long as `triangles`. Call once, last.
+    /// Makes triangle_normals and triangle_uvs as long as `triangles`, colors as `vertices`. Call
+    /// once, last.
     void finish();
 
     /// How many shapes were refused with an error.

@@ -9,7 +9,9 @@
 
 #include "base/did_you_mean.h"
 #include "base/numerics.h"
+#include "parser/blocks/build_texture.h"
 #include "parser/blocks/schemas.h"
+#include "parser/values/operators.h"
 
 namespace lray::parser {
 
@@ -24,6 +26,7 @@ constexpr std::size_t kPositions = slot(kMesh, "positions");
 constexpr std::size_t kTriangles = slot(kMesh, "triangles");
 constexpr std::size_t kNormals = slot(kMesh, "normals");
 constexpr std::size_t kUvs = slot(kMesh, "uvs");
+constexpr std::size_t kColors = slot(kMesh, "colors");
 
 std::optional<std::uint32_t> find_part(const scene::Mesh& mesh, std::string_view name, Span span,
                                        Diagnostics& diagnostics) {
@@ -95,7 +98,9 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
                         kMesh[property].name, positions.count, values[property].count));
         return false;
     };
-    if (!one_per_vertex(kNormals) || !one_per_vertex(kUvs)) return std::nullopt;
+    if (!one_per_vertex(kNormals) || !one_per_vertex(kUvs) || !one_per_vertex(kColors)) {
+        return std::nullopt;
+    }
     if (values.has(kNormals)) {
         for (std::size_t i = 0; i < positions.count; ++i) {
             const double* n = values[kNormals].numbers + 3 * i;
@@ -115,6 +120,13 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
             mesh.uvs.push_back(Vec2{DVec2{uv[0], uv[1]}});
         }
         mesh.uv_indices = mesh.triangles;
+    }
+    if (values.has(kColors)) {
+        for (std::uint32_t i = 0; i < positions.count; ++i) {
+            const Value color = element(values[kColors], i);
+            mesh.colors.push_back(
+                Color{color.is(ValueKind::number) ? DVec3{color.number} : color.vec3()});
+        }
     }
     return mesh;
 }
@@ -148,6 +160,19 @@ std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
         use.part = *part;
     }
     return use;
+}
+
+bool shows_own_colors(const scene::Mesh& mesh) {
+    return !mesh.colors.empty() && mesh.material_runs.empty();
+}
+
+scene::MaterialId add_vertex_colors_material(scene::Scene& scene) {
+    const scene::TextureId texture = add_texture(vertex_colors(), scene);
+    scene::Material material;
+    material.diffuse = {scene.textures[texture.index()].average, texture};
+    const scene::MaterialId id(scene.materials.size());
+    scene.materials.push_back(material);
+    return id;
 }
 
 }  // namespace lray::parser

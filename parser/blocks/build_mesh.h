@@ -19,4 +19,11 @@ std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
                                          Span span, FileLoader& files, scene::Scene& scene,
                                          Diagnostics& diagnostics);
 
+/// True if a mesh without a material of its own is shown in the colours of its vertices: its file
+/// tells them, and no materials.
+bool shows_own_colors(const scene::Mesh& mesh);
+
+/// Returns a new material like the default one that shows the colours of vertices.
+scene::MaterialId add_vertex_colors_material(scene::Scene& scene);
+
 }  // namespace lray::parser

@@ -103,14 +103,15 @@ inline constexpr std::array<PropertySchema, 2> kTorus = {{
     {"tube", number, "0.25", "the radius of the tube", kPositive, {0.25}},
 }};
 
-inline constexpr std::array<PropertySchema, 7> kMesh = {{
-    {"file", file, "", "an OBJ file", kAnyNumber, {}, true, Form::first},
+inline constexpr std::array<PropertySchema, 8> kMesh = {{
+    {"file", file, "", "an OBJ or PLY file", kAnyNumber, {}, true, Form::first},
     {"part", string, "", "only the group or object of that name", kAnyNumber, {}, false, Form::first},
     {"up", option, "\"y\"", "the axis that points up in the file", kAnyNumber, {}, false, Form::any, kUpAxes},
     {"positions", points, "", "the vertices", kAnyNumber, {}, true, Form::second},
     {"triangles", index_triples, "", "three vertex indices each, from 0", kAnyNumber, {}, true, Form::second},
     {"normals", points, "", "a normal for each vertex", kAnyNumber, {}, false, Form::second},
     {"uvs", uvs, "", "texture coordinates for each vertex", kAnyNumber, {}, false, Form::second},
+    {"colors", colors, "", "a colour for each vertex", kUnit, {}, false, Form::second},
 }};
 
 inline constexpr std::array<PropertySchema, 6> kHeightfield = {{
@@ -329,6 +330,7 @@ inline constexpr std::array<BlockSchema, kBlockKindCount> kBlocks = {{
     {BlockKind::noise_texture, "noise_texture", "clouds", kNoiseTexture},
     {BlockKind::marble, "marble", "veined stone", kMarble},
     {BlockKind::wood, "wood", "rings of a tree", kWood},
+    {BlockKind::vertex_colors, "vertex_colors", "the colours that a mesh has at its vertices", {}},
     {BlockKind::point_light, "point_light", "a light in one point, or a small ball", kPointLight, true},
     {BlockKind::spot_light, "spot_light", "a light that shines in a cone", kSpotLight, true},
     {BlockKind::directional_light, "directional_light", "a light from far away, like the sun", kDirectionalLight, true},

@@ -311,6 +311,7 @@ class Dumper {
         write_rows("triangles", mesh.triangles, 3, indent + 2);
         if (!mesh.normals.empty()) write_rows("normals", mesh.normals, 3, indent + 2);
         if (!mesh.uvs.empty()) write_rows("uvs", mesh.uvs, 2, indent + 2);
+        if (!mesh.colors.empty()) write_rows("colors", mesh.colors, 3, indent + 2);
         text_.append(indent, ' ');
         text_ += '}';
     }

@@ -17,6 +17,7 @@
 #include "shade/textures/ramp.h"
 #include "shade/textures/stripes.h"
 #include "shade/textures/texture_point.h"
+#include "shade/textures/vertex_colors.h"
 #include "shade/textures/wood.h"
 
 namespace lray::shade {
@@ -39,8 +40,8 @@ class TextureSet {
     // Patterns hand colours on as three doubles, and take points by reference: of three floats in
     // two registers, and of copies of structs just written, gcc makes loads that wait for stores,
     // which cost more than looking up a checker.
-    using Pattern =
-        std::variant<ImageLookup, Checker, Stripes, Gradient, Ramp, Noise, Marble, Wood>;
+    using Pattern = std::variant<ImageLookup, Checker, Stripes, Gradient, Ramp, Noise, Marble, Wood,
+                                 VertexColors>;
 
     struct Entry {
         Pattern pattern;

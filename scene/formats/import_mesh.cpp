@@ -120,6 +120,10 @@ std::optional<Mesh> import_mesh(const Sources& sources, SourceId file, Span load
         report.no_program();
         return {};
     }
+    if (sources[file].text.size() == 0) {
+        report.failed({wire::Failure::not_understood, "it is empty"});
+        return {};
+    }
     const ImporterRun run = run_importer(settings, ending, sources[file].text.view());
     if (run.end != ImporterEnd::answered) {
         report.ended(run.end);

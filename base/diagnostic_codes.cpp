@@ -352,7 +352,8 @@ constexpr CodeInfo kInfos[] = {
  "include \"level2.lrs\"\ninclude \"level3.lrs\""},
 {LRAY_CODE(E0516), "out of memory, or file too large",
  "The files of the scene together are larger than their limit (--max-scene-bytes, "
- "--max-mesh-bytes), or its values take more memory than theirs (--max-value-bytes).",
+ "--max-mesh-bytes), or its values take more memory than theirs (--max-value-bytes), or a mesh takes longer or more "
+ "memory to be imported than it may (--max-import-seconds, --max-import-bytes).",
  "mesh { file: \"whole-city.obj\" }  // 9 GiB",
  "mesh { file: \"one-street.obj\" }"},
 {LRAY_CODE(E0517), "prints too much",
@@ -384,12 +385,14 @@ constexpr CodeInfo kInfos[] = {
  "mesh { file: \"bunny.obj\" }  // or run lray with --allow /home/me"},
 
 {LRAY_CODE(E0701), "mesh file not understood",
- "The line of the mesh file is not what its format says: for example a vertex without three numbers.",
+ "The mesh file is not what its format says: for example a vertex without three numbers. Of a file "
+ "that is no text the message tells the byte; of one that is imported by Assimp what that says, or "
+ "that it crashed.",
  "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3",
  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
 {LRAY_CODE(E0702), "vertex that does not exist",
  "A face names a vertex, normal or texture coordinate that the mesh does not have. In OBJ files "
- "they count from 1, in `triangles:` from 0.",
+ "they count from 1, in PLY files and in `triangles:` from 0.",
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[1, 2, 3]]\n}",
  "mesh {\n  positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n  triangles: [[0, 1, 2]]\n}"},
 {LRAY_CODE(E0703), "picture not understood",
@@ -402,7 +405,8 @@ constexpr CodeInfo kInfos[] = {
  "v 0 0 0\nv 1 0 0\nv 0 1 0",
  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3"},
 {LRAY_CODE(E0705), "unsupported file format",
- "lray does not read this kind of file, or this feature of it.",
+ "lray does not read this kind of file, or this feature of it. STL, glTF, OFF, FBX, Collada and 3DS "
+ "are read where lray was built with Assimp.",
  "mesh { file: \"chair.blend\" }",
  "mesh { file: \"chair.obj\" }"},
 {LRAY_CODE(E0706), "NFF file not understood",

@@ -23,7 +23,7 @@
 #include "parser/load.h"
 #include "parser/tools/format.h"
 #include "render/threads.h"
-#include "scene/formats/obj_reader.h"
+#include "scene/formats/read_mesh.h"
 
 namespace {
 
@@ -31,11 +31,10 @@ using namespace lray;
 
 constexpr std::string_view kUsage =
     "usage: read_speed [--repeat K] [--threads N] FILE...\n"
-    "  Reads each .lrs, .nff or .obj file K times (5) on N threads (1); in seconds of processor "
-    "time,\n"
-    "  those of scene that have passed if there are more threads\n"
+    "  Reads each .lrs, .nff or mesh file K times (5) on N threads (1); in seconds of processor\n"
+    "  time, those of scene that have passed if there are more threads\n"
     "  bytes   the file into memory, nothing else\n"
-    "  scene   .lrs, .nff: parser::load; .obj: the bytes and scene::read_obj\n"
+    "  scene   .lrs, .nff: parser::load; .obj, .ply: the bytes and scene::read_mesh\n"
     "  format  .lrs: the bytes and parser::format\n"
     "  peak    of the process (VmHWM) after the first time; beyond: of that, more than before\n"
     "          and than the text; of a mesh also as a multiple of the mesh\n";
@@ -76,7 +75,8 @@ bool read_scene(const char* path, Outcome& outcome) {
     ReadResult result = files.read_main(path, std::numeric_limits<std::uint32_t>::max());
     if (result.status != ReadStatus::ok) return false;
     const SourceId file = outcome.sources.add(path, std::move(result.text));
-    outcome.mesh = scene::read_obj(outcome.sources, file, Span{}, outcome.diagnostics);
+    const scene::MeshFormat format = scene::mesh_format_of(path).value_or(scene::MeshFormat::obj);
+    outcome.mesh = scene::read_mesh(format, outcome.sources, file, Span{}, {}, outcome.diagnostics);
     return outcome.mesh.has_value();
 }
 

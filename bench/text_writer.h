@@ -20,7 +20,11 @@ class TextWriter {
     void print(fmt::format_string<Args...> format, Args... args) {
         fmt::vformat_to(std::back_inserter(buffer_), fmt::string_view(format),
                         fmt::make_format_args(args...));
-        constexpr std::size_t kPiece = std::size_t{1} << 20;
+        if (buffer_.size() >= kPiece) flush();
+    }
+
+    void add(std::string_view bytes) {
+        buffer_.append(bytes);
         if (buffer_.size() >= kPiece) flush();
     }
 
@@ -31,6 +35,8 @@ class TextWriter {
     }
 
  private:
+    static constexpr std::size_t kPiece = std::size_t{1} << 20;
+
     void flush() {
         is_good_ = is_good_ && file_.write(std::string_view(buffer_.data(), buffer_.size()));
         buffer_.clear();

@@ -51,6 +51,15 @@ Vec3 triangle_shading_normal(const PlaceMap& place, const Hit& hit, const Surfac
     return Vec3{normal / (is_behind ? -length : length)};
 }
 
+/// Returns the interpolated colour of the corners of a triangle.
+DVec3 interpolated_color(const scene::Geometry& geometry, const Hit& hit) {
+    const scene::IndexTriple& corners = geometry.triangles[hit.primitive_id.index()].vertices;
+    const double u = static_cast<double>(hit.u);
+    const double v = static_cast<double>(hit.v);
+    return (1.0 - u - v) * DVec3{geometry.colors[corners[0]]} +
+           u * DVec3{geometry.colors[corners[1]]} + v * DVec3{geometry.colors[corners[2]]};
+}
+
 /// Returns what of a tangent is at right angles to a unit normal; 0 if a float cannot hold it.
 Vec3 flattened(DVec3 tangent, DVec3 normal) {
     const Vec3 result{tangent - dot(tangent, normal) * normal};
@@ -77,6 +86,9 @@ SurfaceDetail surface_detail(const scene::World& world, const Hit& hit, const Su
     result.shading_normal =
         is_triangle(hit) ? triangle_shading_normal(place, hit, point) : point.normal;
     result.uv = parameters.uv;
+    if (is_triangle(hit) && !place.geometry->colors.empty()) {
+        result.vertex_color = interpolated_color(*place.geometry, hit);
+    }
     const DVec3 normal{result.shading_normal};
     result.dp_du = flattened(parameters.dp_du, normal);
     result.dp_dv = flattened(parameters.dp_dv, normal);

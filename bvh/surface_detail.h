@@ -21,6 +21,7 @@ struct SurfaceDetail {
     Vec3 dp_dv{0.0f};
     DVec3 position_object{0.0};
     DMat3 object_from_world{1.0};   // of vectors
+    DVec3 vertex_color{1.0};        // of a mesh that has colours and shows them, linear
     double object_per_world = 1.0;  // length there of a unit of length in the world, on average
 };
 

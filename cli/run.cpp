@@ -11,6 +11,7 @@
 #include "base/assert.h"
 #include "base/terminal_text.h"
 #include "cli/console.h"
+#include "cli/importer.h"
 #include "cli/interrupt.h"
 #include "cli/library.h"
 #include "image/tone_map.h"
@@ -113,6 +114,7 @@ FileAccess file_access(const Options& options) {
 parser::LoadSettings load_settings(const Options& options) {
     parser::LoadSettings settings;
     settings.limits = options.load_limits;
+    settings.importer = importer_program();
     settings.definitions = options.definitions;
     if (options.frames) settings.frame = static_cast<double>(options.frames->first);
     if (options.diagnostics_format == DiagnosticsFormat::text) {

@@ -214,7 +214,7 @@ std::optional<scene::MeshId> FileLoader::mesh(std::string_view path, SourceId fr
                 .error(Code::E0705, span,
                        fmt::format("`{}` files are not read by this version",
                                    path.substr(path.rfind('.'))))
-                .with_help("save the mesh as OBJ");
+                .with_help("save the mesh as OBJ, PLY, glTF (.glb) or STL");
             return std::nullopt;
         }
         const std::optional<Found> found = read(request, from, mesh_files_);
@@ -367,7 +367,8 @@ std::optional<FileLoader::LoadedMesh> FileLoader::read_mesh(scene::MeshFormat fo
     const std::size_t told_before = diagnostics_.error_count() + diagnostics_.warning_count();
     LoadedMesh loaded;
     loaded.size = sources_[file].text.size();
-    std::optional<scene::Mesh> mesh = scene::read_mesh(format, sources_, file, span, diagnostics_);
+    std::optional<scene::Mesh> mesh =
+        scene::read_mesh(format, sources_, file, span, import_, diagnostics_);
     if (diagnostics_.error_count() + diagnostics_.warning_count() == told_before) {
         sources_.release_text(file);  // nothing in it will be shown
     }

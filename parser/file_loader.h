@@ -25,9 +25,14 @@ namespace lray::parser {
 /// Turns names in a scene into sources, meshes and pictures, once per run for each of the latter.
 class FileLoader {
  public:
+    /// `importer`: the program for meshes that are neither OBJ nor PLY; empty: none.
     FileLoader(FileAccess& files, Sources& sources, const LoadLimits& limits,
-               Diagnostics& diagnostics)
-        : files_(files), sources_(sources), limits_(limits), diagnostics_(diagnostics) {}
+               std::string_view importer, Diagnostics& diagnostics)
+        : files_(files),
+          sources_(sources),
+          limits_(limits),
+          import_{std::string(importer), limits.import_seconds, limits.import_bytes},
+          diagnostics_(diagnostics) {}
 
     /// Reads the main scene. Errors: empty, E06.. reported without a place.
     std::optional<SourceId> main_scene(std::string_view path);
@@ -145,6 +150,7 @@ class FileLoader {
     FileAccess& files_;
     Sources& sources_;
     LoadLimits limits_;
+    scene::ImportSettings import_;
     SizeLimit scene_limit_{limits_.scene_bytes, "--max-scene-bytes"};
     SizeLimit mesh_limit_{limits_.mesh_bytes, "--max-mesh-bytes"};
     SizeLimit texture_limit_{limits_.texture_bytes, "--max-texture-bytes"};

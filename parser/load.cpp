@@ -39,7 +39,7 @@ void warn_of_gaps(const scene::Scene& scene, SourceId main, bool is_nff, Diagnos
 LoadResult load(std::string_view path, const LoadSettings& settings, FileAccess& files,
                 Sources& sources, Diagnostics& diagnostics) {
     const LoadLimits& limits = settings.limits;
-    FileLoader loader(files, sources, limits, diagnostics);
+    FileLoader loader(files, sources, limits, settings.importer, diagnostics);
     const std::optional<SourceId> main = loader.main_scene(path);
     if (!main) return {};
 

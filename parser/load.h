@@ -29,6 +29,8 @@ struct LoadLimits {
     std::uint64_t list_size = 100'000'000;                 // --max-list-size, elements of one list
     std::uint64_t nodes = 50'000'000;                      // --max-nodes, of the scene as written
     std::uint64_t printed_bytes = std::uint64_t{1} << 20;  // --max-printed-bytes
+    std::uint32_t import_seconds = 60;                     // --max-import-seconds, of one file
+    std::uint64_t import_bytes = std::uint64_t{4} << 30;   // --max-import-bytes, memory for one
 };
 
 /// `-D name=value`: replaces the default of a `param`.
@@ -40,7 +42,8 @@ struct Definition {
 struct LoadSettings {
     LoadLimits limits{};
     std::vector<Definition> definitions{};
-    double frame = 0.0;  // of the animation: `frame`, and `time` = start + frame / fps
+    std::string importer{};  // the program that imports other meshes than OBJ and PLY; empty: none
+    double frame = 0.0;      // of the animation: `frame`, and `time` = start + frame / fps
     std::function<void(std::string_view)> print{};  // takes each printed line; none: dropped
 
     /// Off: no literal fast path, and components are evaluated at each use. The scene is the same;

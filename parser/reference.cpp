@@ -110,6 +110,8 @@ std::string_view type_name(PropertyType type) {
             return "path";
         case PropertyType::points:
             return "rows of 3 numbers";
+        case PropertyType::colors:
+            return "list of colours";
         case PropertyType::uvs:
             return "rows of 2 numbers";
         case PropertyType::any:

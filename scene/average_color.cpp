@@ -95,6 +95,7 @@ struct Averager {
     Color operator()(const WoodTexture& wood) const {
         return blend(wood.a, wood.b, WoodProfile::integral(1.0));
     }
+    Color operator()(const VertexColorsTexture&) const { return Color{1.0f}; }
 };
 
 }  // namespace

@@ -115,7 +115,8 @@ void shrink(Geometry& geometry) {
     shrink_all(geometry.vertices, geometry.triangles, geometry.rectangles, geometry.spheres,
                geometry.ellipsoids, geometry.cylinders, geometry.disks, geometry.boxes,
                geometry.tori, geometry.instances, geometry.normals, geometry.uvs,
-               geometry.triangle_normals, geometry.triangle_uvs, geometry.objects);
+               geometry.triangle_normals, geometry.triangle_uvs, geometry.objects, geometry.colors,
+               geometry.mean_colors);
     geometry.object_spaces.shrink_to_fit();
     for (std::vector<ObjectId>& object_ids : geometry.object_ids) shrink_all(object_ids);
 }

@@ -13,7 +13,8 @@ namespace {
 
 /// A texture in world space is looked up without the shape's.
 bool is_of_shape(TextureId id, std::span<const Texture> textures) {
-    return !id.is_none() && textures[id.index()].space != TextureSpace::world;
+    return !id.is_none() && textures[id.index()].space != TextureSpace::world &&
+           textures[id.index()].space != TextureSpace::vertex_colors;
 }
 
 bool depends_on_shape(const Material& material, std::span<const Texture> textures) {

@@ -32,6 +32,16 @@ PlacePath path_to(const World& world, PlaceOffset place) {
     return path;
 }
 
+const Geometry& geometry_at(const World& world, PlaceOffset place) {
+    const Geometry* geometry = &world;
+    while (place > 0) {
+        const EnteredPlace entered = enter(world, *geometry, place);
+        geometry = entered.geometry;
+        place = entered.place;
+    }
+    return *geometry;
+}
+
 std::uint32_t material_at(const World& world, PlaceOffset place, PrimitiveId id) {
     std::uint32_t material = Object::kInherited;
     const auto settle = [&material](const Object& object) {

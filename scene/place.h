@@ -34,6 +34,9 @@ struct PlacePath {
 /// instances. Errors: asserts that the place is in the world.
 PlacePath path_to(const World& world, PlaceOffset place);
 
+/// Returns the geometry of a place.
+const Geometry& geometry_at(const World& world, PlaceOffset place);
+
 /// Returns the index of the material that a primitive of a place shows: its own, or that of the
 /// innermost instance that has one.
 std::uint32_t material_at(const World& world, PlaceOffset place, PrimitiveId id);

@@ -109,6 +109,12 @@ class MaterialWalk {
     std::size_t number_ = mesh_.materials.size();
 };
 
+Color mean_color(std::span<const Color> colors) {
+    DVec3 sum{0.0};
+    for (const Color color : colors) sum += DVec3{color};
+    return Color{sum / static_cast<double>(colors.size())};
+}
+
 DVec3 turn_up(Vec3 v, bool z_is_up) {
     const DVec3 d{v};
     return z_is_up ? DVec3{d.x, d.z, -d.y} : d;
@@ -118,7 +124,12 @@ DVec3 turn_up(Vec3 v, bool z_is_up) {
 
 void Placer::place_mesh(NodeId node_id, const Placement& placement) {
     const MeshUse& use = scene_.mesh_uses[scene_.node(node_id).index];
+    const Mesh& mesh = scene_.meshes[use.mesh_id.index()];
     mesh_objects_.clear();
+    mesh_mean_color_.reset();
+    if (scene_.shows_vertex_colors && !mesh.colors.empty()) {
+        mesh_mean_color_ = mean_color(mesh.colors);
+    }
     for (const TriangleRange range : triangles_of(scene_, use)) {
         place_triangles(node_id, range, placement);
     }
@@ -136,6 +147,10 @@ bool Placer::enter_material(NodeId node_id, std::size_t number, const Placement&
     if (number < mesh.materials.size()) own.material = mesh.materials[number].value + 1;
     if (!begin_object(node_id, own)) return false;
     mesh_objects_.emplace(number, object_id_);
+    if (mesh_mean_color_) {
+        geometry_.mean_colors.resize(object_id_.index(), Color{1.0f});
+        geometry_.mean_colors.push_back(*mesh_mean_color_);
+    }
     return true;
 }
 
@@ -156,6 +171,13 @@ void Placer::place_triangles(NodeId node_id, TriangleRange range, const Placemen
         const DVec3 p = transform.point(turn_up(mesh.positions[positions.element(i)], use.z_is_up));
         if (!are_placeable(node, {&p, 1})) return;
         geometry_.vertices.push_back(Vec3{p});
+    }
+
+    if (mesh_mean_color_) {
+        geometry_.colors.resize(first_vertex, Color{1.0f});
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            geometry_.colors.push_back(mesh.colors[positions.element(i)]);
+        }
     }
 
     const UsedElements normals(normal_triples, mesh.normals.size());

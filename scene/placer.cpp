@@ -115,6 +115,7 @@ void Placer::finish() {
     const std::size_t count = geometry_.triangles.size();
     if (!geometry_.triangle_normals.empty()) geometry_.triangle_normals.resize(count, kAbsent);
     if (!geometry_.triangle_uvs.empty()) geometry_.triangle_uvs.resize(count, kAbsent);
+    if (!geometry_.colors.empty()) geometry_.colors.resize(geometry_.vertices.size(), Color{1.0f});
 }
 
 void Placer::place_sphere(const Node& node, const Placement& placement) {

@@ -57,7 +57,8 @@ class Placer {
     /// Adds an instance: `node`, or what it is placed by, takes the place of what it holds.
     void place_instance(NodeId node_id, const Prototype& prototype, const Placement& placement);
 
-    /// Makes triangle_normals and triangle_uvs as long as `triangles`. Call once, last.
+    /// Makes triangle_normals and triangle_uvs as long as `triangles`, colors as `vertices`. Call
+    /// once, last.
     void finish();
 
     /// How many shapes were refused with an error.
@@ -112,7 +113,8 @@ class Placer {
     Diagnostics& diagnostics_;
     ObjectId object_id_{};
     std::unordered_map<std::size_t, ObjectId>
-        mesh_objects_{};  // of the mesh being placed, by material
+        mesh_objects_{};                      // of the mesh being placed, by material
+    std::optional<Color> mesh_mean_color_{};  // of its vertices, if they show
     std::size_t refused_count_ = 0;
     double thinness_ = 1.0;
 };

@@ -95,6 +95,7 @@ struct Scene {
     std::vector<Transform> transforms{};
     std::vector<Material> materials{};
     std::vector<Texture> textures{};
+    bool shows_vertex_colors = false;  // one of these does
     std::vector<Picture> pictures{};
     std::vector<std::string> labels{};
 

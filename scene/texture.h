@@ -19,6 +19,7 @@ enum class TextureSpace : std::uint8_t {
     uv,      // (u, v, 0) of the surface
     object,  // the point in the space of the shape, before its own steps
     world,
+    vertex_colors,  // the colours of the mesh there: not of the language
 };
 
 enum class Axis : std::uint8_t { x, y, z };
@@ -107,8 +108,13 @@ struct WoodTexture {
     double seed = 0.0;
 };
 
-using TexturePattern = std::variant<ImageTexture, CheckerTexture, StripesTexture, GradientTexture,
-                                    RampTexture, NoiseTexture, MarbleTexture, WoodTexture>;
+/// The colours of the vertices of the mesh it is on, between corners in proportion; white where
+/// there are none.
+struct VertexColorsTexture {};
+
+using TexturePattern =
+    std::variant<ImageTexture, CheckerTexture, StripesTexture, GradientTexture, RampTexture,
+                 NoiseTexture, MarbleTexture, WoodTexture, VertexColorsTexture>;
 
 struct Texture {
     TexturePattern pattern{};

@@ -163,10 +163,11 @@ struct Object {
 };
 
 /// Primitives of one space: the world, or a prototype's own.
-/// Shape: `triangle_normals` and `triangle_uvs` are empty or as long as `triangles`; object_ids of
-/// a kind is as long as the array of that kind.
+/// Shape: `colors` is empty or as long as `vertices`; `triangle_normals` and `triangle_uvs` are
+/// empty or as long as `triangles`; object_ids of a kind is as long as the array of that kind.
 struct Geometry {
     std::vector<Vec3> vertices{};
+    std::vector<Color> colors{};  // of the vertices, where a texture shows them
     std::vector<Triangle> triangles{};
     std::vector<Rectangle> rectangles{};
     std::vector<Sphere> spheres{};
@@ -185,7 +186,8 @@ struct Geometry {
 
     std::array<std::vector<ObjectId>, kPrimitiveKindCount> object_ids{};
     std::vector<Object> objects{};
-    ObjectSpaces object_spaces{};  // of those whose look depends on it (ObjectSpaceRule)
+    std::vector<Color> mean_colors{};  // by object, up to the last one whose vertices have colours
+    ObjectSpaces object_spaces{};      // of those whose look depends on it (ObjectSpaceRule)
 
     PlaceOffset place_count = 1;  // this one and those of all instances, however deep
     NodeId node_id{};             // whose content it is: the root, or of a prototype the first node
@@ -194,6 +196,11 @@ struct Geometry {
         return object_ids[static_cast<std::size_t>(id.kind())][id.index()];
     }
     const Object& object(ObjectId id) const { return objects[id.index()]; }
+
+    /// Returns what stands for the colours of an object's vertices; white if they have none.
+    Color mean_color(ObjectId id) const {
+        return id.index() < mean_colors.size() ? mean_colors[id.index()] : Color{1.0f};
+    }
 
     /// Primitives held, instances included.
     std::size_t primitive_count() const;

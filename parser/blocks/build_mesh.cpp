@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,8 +11,10 @@
 #include "base/angle.h"
 #include "base/did_you_mean.h"
 #include "base/numerics.h"
+#include "parser/blocks/build_texture.h"
 #include "parser/blocks/load_mesh_materials.h"
 #include "parser/blocks/schemas.h"
+#include "parser/values/operators.h"
 #include "scene/smooth_normals.h"
 
 namespace lray::parser {
@@ -29,6 +32,7 @@ constexpr std::size_t kNormals = slot(kMesh, "normals");
 constexpr std::size_t kUvs = slot(kMesh, "uvs");
 constexpr std::size_t kSmooth = slot(kMesh, "smooth");
 constexpr std::size_t kUseMtl = slot(kMesh, "use_mtl");
+constexpr std::size_t kColors = slot(kMesh, "colors");
 
 std::optional<std::uint32_t> find_part(const scene::Mesh& mesh, std::string_view name, Span span,
                                        Diagnostics& diagnostics) {
@@ -105,7 +109,9 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
                         kMesh[property].name, positions.count, values[property].count));
         return false;
     };
-    if (!one_per_vertex(kNormals) || !one_per_vertex(kUvs)) return std::nullopt;
+    if (!one_per_vertex(kNormals) || !one_per_vertex(kUvs) || !one_per_vertex(kColors)) {
+        return std::nullopt;
+    }
     if (values.has(kNormals)) {
         for (std::size_t i = 0; i < positions.count; ++i) {
             const double* n = values[kNormals].numbers + 3 * i;
@@ -125,6 +131,13 @@ std::optional<scene::Mesh> mesh_of_lists(const PropertyValues& values,
             mesh.uvs.push_back(Vec2{DVec2{uv[0], uv[1]}});
         }
         mesh.uv_indices = mesh.triangles;
+    }
+    if (values.has(kColors)) {
+        for (std::uint32_t i = 0; i < positions.count; ++i) {
+            const Value color = element(values[kColors], i);
+            mesh.colors.push_back(
+                Color{color.is(ValueKind::number) ? DVec3{color.number} : color.vec3()});
+        }
     }
     if (values.has(kSmooth)) {
         mesh.smooth_degrees = values.number(kSmooth);
@@ -169,6 +182,21 @@ std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
         use.part = *part;
     }
     return use;
+}
+
+bool shows_own_colors(const scene::Mesh& mesh) {
+    const auto is_defined = [](scene::MaterialId id) { return !id.is_none(); };
+    return !mesh.colors.empty() &&
+           std::none_of(mesh.materials.begin(), mesh.materials.end(), is_defined);
+}
+
+scene::MaterialId add_vertex_colors_material(scene::Scene& scene) {
+    const scene::TextureId texture = add_texture(vertex_colors(), scene);
+    scene::Material material;
+    material.diffuse = {scene.textures[texture.index()].average, texture};
+    const scene::MaterialId id(scene.materials.size());
+    scene.materials.push_back(material);
+    return id;
 }
 
 }  // namespace lray::parser

@@ -20,4 +20,11 @@ std::optional<scene::MeshUse> build_mesh(const PropertyValues& values,
                                          Span span, bool has_material, FileLoader& files,
                                          scene::Scene& scene, Diagnostics& diagnostics);
 
+/// True if a mesh without a material of its own is shown in the colours of its vertices: it has
+/// them, and its file defines no materials.
+bool shows_own_colors(const scene::Mesh& mesh);
+
+/// Returns a new material like the default one that shows the colours of vertices.
+scene::MaterialId add_vertex_colors_material(scene::Scene& scene);
+
 }  // namespace lray::parser

@@ -243,6 +243,7 @@ std::optional<ShapeRef> build_shape(const BlockSchema& schema, const PropertyVal
         case BlockKind::noise_texture:
         case BlockKind::marble:
         case BlockKind::wood:
+        case BlockKind::vertex_colors:
         case BlockKind::point_light:
         case BlockKind::spot_light:
         case BlockKind::directional_light:

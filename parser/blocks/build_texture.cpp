@@ -124,9 +124,11 @@ std::optional<scene::TextureId> build_texture(const BlockSchema& schema,
         texture.pattern = noise_texture(values);
     } else if (schema.kind == BlockKind::marble) {
         texture.pattern = veined<scene::MarbleTexture>(values, kMarble);
-    } else {
-        LRAY_ASSERT(schema.kind == BlockKind::wood);
+    } else if (schema.kind == BlockKind::wood) {
         texture.pattern = veined<scene::WoodTexture>(values, kWood);
+    } else {
+        LRAY_ASSERT(schema.kind == BlockKind::vertex_colors);
+        return add_texture(vertex_colors(), scene);
     }
     texture.space = values.option<scene::TextureSpace>(find_property(schema.properties, "space"));
     const std::optional<Transform> inverse = space_from_texture.inverse();
@@ -136,7 +138,16 @@ std::optional<scene::TextureId> build_texture(const BlockSchema& schema,
     return add_texture(std::move(texture), scene);
 }
 
+scene::Texture vertex_colors() {
+    scene::Texture texture;
+    texture.pattern = scene::VertexColorsTexture{};
+    texture.space = scene::TextureSpace::vertex_colors;
+    return texture;
+}
+
 scene::TextureId add_texture(scene::Texture texture, scene::Scene& scene) {
+    const bool shows_vertex_colors = texture.space == scene::TextureSpace::vertex_colors;
+    scene.shows_vertex_colors = scene.shows_vertex_colors || shows_vertex_colors;
     texture.average = average_color(texture.pattern, scene.pictures);
     const scene::TextureId id(scene.textures.size());
     scene.textures.push_back(std::move(texture));

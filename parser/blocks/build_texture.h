@@ -21,6 +21,9 @@ std::optional<scene::TextureId> build_texture(const BlockSchema& schema,
                                               const Transform& space_from_texture, Span span,
                                               FileLoader& files, scene::Scene& scene);
 
+/// Returns the texture that shows the colours of vertices.
+scene::Texture vertex_colors();
+
 /// Adds a texture, and works out its average colour.
 scene::TextureId add_texture(scene::Texture texture, scene::Scene& scene);
 

@@ -78,6 +78,7 @@ class Fitting {
     Value matrix();
     Value transform();
     Value rows(std::uint8_t width, std::string_view wanted, bool is_whole_wanted);
+    Value colors();
     Value height_rows();
     Value stops();
     Value focus();
@@ -233,6 +234,27 @@ Value Fitting::rows(std::uint8_t width, std::string_view wanted, bool is_whole_w
     return value_;
 }
 
+// [red, #00ff00, [0, 0, 1], 0.5]
+Value Fitting::colors() {
+    constexpr std::string_view kWanted = "a list of colours, like [red, #00ff00]";
+    if (!value_.is_list()) return wrong_type(kWanted);
+    for (std::uint32_t i = 0; i < value_.count; ++i) {
+        const Value color = element(value_, i);
+        if (color.is(ValueKind::poison)) return color;
+        if (!color.is(ValueKind::color) && !color.is(ValueKind::number) && !color.is_vector(3)) {
+            return error(Code::E0301, fmt::format("`{}` needs {}; element {} is {}", property_.name,
+                                                  kWanted, i, describe(color)));
+        }
+        for (const double number : numbers_of(color)) {
+            if (property_.range.contains(number)) continue;
+            return error(Code::E0304,
+                         fmt::format("`{}` must be {}, element {} has {}", property_.name,
+                                     range_in_words(property_.range), i, format_number(number)));
+        }
+    }
+    return value_;
+}
+
 Value Fitting::height_rows() {
     constexpr std::string_view kWanted = "rows of numbers, like [[0, 1], [0, 2]]";
     if (!value_.is_list() || value_.is(ValueKind::numbers)) return wrong_type(kWanted);
@@ -350,6 +372,8 @@ Value Fitting::fit() {
                                                             : "a file name");
         case PropertyType::points:
             return rows(3, "a list of points, like [[0, 0, 0], [1, 0, 0]]", false);
+        case PropertyType::colors:
+            return colors();
         case PropertyType::uvs:
             return rows(2, "a list of pairs, like [[0, 0], [1, 0]]", false);
         case PropertyType::index_triples:

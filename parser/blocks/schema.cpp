@@ -97,7 +97,8 @@ constexpr std::array<Habit, 66> kPropertyHabits = {{
 constexpr std::array<Habit, 31> kBlockHabits = {{
     {"light", "point_light`, `spot_light`, `directional_light` or `area_light"},
     {"texture",
-     "image`, `checker`, `stripes`, `gradient`, `ramp`, `noise_texture`, `marble` or `wood"},
+     "image`, `checker`, `stripes`, `gradient`, `ramp`, `noise_texture`, `marble`, `wood` or "
+     "`vertex_colors"},
     {"quad", "rectangle"},
     {"square", "rectangle"},
     {"ball", "sphere"},

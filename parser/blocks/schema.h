@@ -34,6 +34,7 @@ enum class PropertyType : std::uint8_t {
     resolution,     // two whole numbers
     file,           // a string that names a file
     points,         // rows of three numbers
+    colors,         // a list of colours, or rows of three numbers
     uvs,            // rows of two numbers
     index_triples,  // rows of three whole numbers
     any,            // parameters of components
@@ -116,6 +117,7 @@ enum class BlockKind : std::uint8_t {
     noise_texture,
     marble,
     wood,
+    vertex_colors,
     point_light,
     spot_light,
     directional_light,
@@ -128,7 +130,11 @@ enum class BlockKind : std::uint8_t {
 inline constexpr std::size_t kBlockKindCount = static_cast<std::size_t>(BlockKind::component);
 
 constexpr bool is_texture(BlockKind kind) {
-    return kind >= BlockKind::image && kind <= BlockKind::wood;
+    return kind >= BlockKind::image && kind <= BlockKind::vertex_colors;
+}
+/// A texture that lies in a space, where steps move it.
+constexpr bool has_space(BlockKind kind) {
+    return is_texture(kind) && kind != BlockKind::vertex_colors;
 }
 constexpr bool is_light(BlockKind kind) {
     return kind >= BlockKind::point_light && kind <= BlockKind::environment;
@@ -176,10 +182,12 @@ constexpr bool is_transform_step(CommonProperty property) {
 }
 
 /// True for the common properties that a block has: shapes and groups all of them, lights no
-/// material, and only those that shine one way `look_at`, textures the transform steps.
+/// material, and only those that shine one way `look_at`, textures that lie in a space the
+/// transform steps.
 constexpr bool takes(const BlockSchema& schema, CommonProperty property) {
     if (is_texture(schema.kind)) {
-        return is_transform_step(property) && property != CommonProperty::look_at;
+        return has_space(schema.kind) && is_transform_step(property) &&
+               property != CommonProperty::look_at;
     }
     if (is_light(schema.kind)) {
         const bool has_direction =

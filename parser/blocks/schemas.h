@@ -104,14 +104,15 @@ inline constexpr std::array<PropertySchema, 2> kTorus = {{
     {"tube", number, "0.25", "the radius of the tube", kPositive, {0.25}},
 }};
 
-inline constexpr std::array<PropertySchema, 9> kMesh = {{
-    {"file", file, "", "an OBJ file", kAnyNumber, {}, true, Form::first},
+inline constexpr std::array<PropertySchema, 10> kMesh = {{
+    {"file", file, "", "an OBJ, PLY or other mesh file", kAnyNumber, {}, true, Form::first},
     {"part", string, "", "only the group or object of that name", kAnyNumber, {}, false, Form::first},
     {"up", option, "\"y\"", "the axis that points up in the file", kAnyNumber, {}, false, Form::any, kUpAxes},
     {"positions", points, "", "the vertices", kAnyNumber, {}, true, Form::second},
     {"triangles", index_triples, "", "three vertex indices each, from 0", kAnyNumber, {}, true, Form::second},
     {"normals", points, "", "a normal for each vertex", kAnyNumber, {}, false, Form::second},
     {"uvs", uvs, "", "texture coordinates for each vertex", kAnyNumber, {}, false, Form::second},
+    {"colors", colors, "", "a colour for each vertex", kUnit, {}, false, Form::second},
     {"smooth", number, "", "faces that meet at less than so many degrees are smooth; 0: all are flat", kSmoothAngle},
     {"use_mtl", boolean, "true", "the materials that the file names, unless there is a `material`", kAnyNumber, {1}, false, Form::first},
 }};
@@ -332,6 +333,7 @@ inline constexpr std::array<BlockSchema, kBlockKindCount> kBlocks = {{
     {BlockKind::noise_texture, "noise_texture", "clouds", kNoiseTexture},
     {BlockKind::marble, "marble", "veined stone", kMarble},
     {BlockKind::wood, "wood", "rings of a tree", kWood},
+    {BlockKind::vertex_colors, "vertex_colors", "the colours that a mesh has at its vertices", {}},
     {BlockKind::point_light, "point_light", "a light in one point, or a small ball", kPointLight, true},
     {BlockKind::spot_light, "spot_light", "a light that shines in a cone", kSpotLight, true},
     {BlockKind::directional_light, "directional_light", "a light from far away, like the sun", kDirectionalLight, true},

@@ -363,13 +363,26 @@ NodeId Evaluator::add_node(const OpenBlock& open, scene::NodeKind kind, std::siz
         node.transform_id = scene::TransformId(scene_.transforms.size());
         scene_.transforms.push_back(open.transform);
     }
-    if (open.material_id) node.material_id = *open.material_id;
+    if (open.material_id) {
+        node.material_id = *open.material_id;
+    } else if (kind == scene::NodeKind::mesh) {
+        node.material_id = own_material_of(scene_.mesh_uses[index]);
+    }
     if (label != nullptr) {
         node.label_id = scene::LabelId(scene_.labels.size());
         take_kept_bytes(budget_, label->value.size(), label->span, diagnostics_);
         scene_.labels.emplace_back(label->value);
     }
     return push_node(node);
+}
+
+// What a mesh without a material is shown in, of what it says itself; none: what it inherits.
+scene::MaterialId Evaluator::own_material_of(const scene::MeshUse& use) {
+    const scene::Mesh& mesh = scene_.meshes[use.mesh_id.index()];
+    const bool is_refused = !mesh.file.empty() && !use.shows_materials;  // by use_mtl
+    if (is_refused || !shows_own_colors(mesh)) return {};
+    if (!vertex_colors_) vertex_colors_ = add_vertex_colors_material(scene_);
+    return *vertex_colors_;
 }
 
 // Every node that running the scene makes comes through here.

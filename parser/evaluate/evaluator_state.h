@@ -123,6 +123,7 @@ class Evaluator final : public Runtime {
     void file_view(const FileViewItem& item);
     std::optional<scene::NodeId> instance(const BlockExpr& expr, const Made& made);
     std::optional<scene::MaterialId> add_material(const OpenBlock& open);
+    scene::MaterialId own_material_of(const scene::MeshUse& use);
     std::optional<scene::TextureId> add_texture(const OpenBlock& open);
     Value record_value(const OpenBlock& open);
     Value made_value(ValueKind kind, const OpenBlock& open, std::uint32_t id);
@@ -221,6 +222,7 @@ class Evaluator final : public Runtime {
     Budget budget_;
     ValueMemory memory_;
     scene::Scene& scene_;
+    std::optional<scene::MaterialId> vertex_colors_{};  // of all meshes that have no other
     Diagnostics& diagnostics_;
 
     std::unordered_map<const LetItem*, const Param*> params_of_items_;  // once one is listed

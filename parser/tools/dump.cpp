@@ -305,8 +305,9 @@ class Dumper {
         }
         if (use.z_is_up) block.add("up", "\"z\"");
         if (mesh.smooth_degrees) block.add("smooth", *mesh.smooth_degrees);
-        const bool says_no_materials = !mesh.material_names.empty() && !use.shows_materials;
-        if (says_no_materials && node.material_id.is_none()) block.add("use_mtl", false);
+        const bool has_looks = !mesh.material_names.empty() || !mesh.colors.empty();
+        const bool shows_none = has_looks && !use.shows_materials && !mesh.file.empty();
+        if (shows_none && node.material_id.is_none()) block.add("use_mtl", false);
         add_common(node, block);
         if (!mesh.file.empty()) {
             text_ += block.text(labelled("mesh", node), indent);
@@ -319,6 +320,7 @@ class Dumper {
         if (!mesh.normals.empty() && !mesh.smooth_degrees)
             write_rows("normals", mesh.normals, 3, indent + 2);
         if (!mesh.uvs.empty()) write_rows("uvs", mesh.uvs, 2, indent + 2);
+        if (!mesh.colors.empty()) write_rows("colors", mesh.colors, 3, indent + 2);
         text_.append(indent, ' ');
         text_ += '}';
     }

@@ -74,6 +74,7 @@ struct PatternWriter {
         add_veins(wood);
         return "wood";
     }
+    std::string_view operator()(const scene::VertexColorsTexture&) const { return "vertex_colors"; }
 
  private:
     template <class Veined>
@@ -154,6 +155,9 @@ DumpSurfaces::DumpSurfaces(const scene::Scene& scene, const DumpPlan& plan)
 std::string DumpSurfaces::texture_text(const scene::Texture& texture, std::size_t before) const {
     DumpBlock block;
     const std::string_view name = std::visit(PatternWriter{scene_, block}, texture.pattern);
+    if (texture.space == scene::TextureSpace::vertex_colors) {
+        return block.definition_text(name, before);
+    }
     block.add("space", option(schemas::kSpaces, texture.space));
     block.add_steps(texture.space_from_texture);
     return block.definition_text(name, before);

@@ -60,7 +60,7 @@ std::optional<FormattedFile> format_file(std::string_view path, const LoadLimits
                                          FileAccess& files, Sources& sources,
                                          Diagnostics& diagnostics) {
     const std::optional<SourceId> source =
-        FileLoader(files, sources, limits, diagnostics).main_scene(path);
+        FileLoader(files, sources, limits, {}, diagnostics).main_scene(path);
     if (!source || !is_understood(*source, sources, limits, diagnostics)) return std::nullopt;
     std::optional<std::string> text = format(*source, sources, limits, diagnostics);
     if (!text) return std::nullopt;

@@ -6,6 +6,7 @@
 #include "base/assert.h"
 #include "base/did_you_mean.h"
 #include "scene/formats/obj_reader.h"
+#include "scene/formats/ply_reader.h"
 
 namespace lray::scene {
 
@@ -19,9 +20,10 @@ bool ends_with(std::string_view path, std::string_view ending) {
 }  // namespace
 
 std::optional<MeshFormat> mesh_format_of(std::string_view path) {
-    constexpr std::array<std::string_view, 14> kOthers = {".3ds", ".abc",  ".blend", ".dae", ".fbx",
-                                                          ".glb", ".gltf", ".mtl",   ".off", ".ply",
-                                                          ".stl", ".usd",  ".usda",  ".x3d"};
+    constexpr std::array<std::string_view, 6> kOthers = {".abc", ".blend", ".mtl",
+                                                         ".usd", ".usda",  ".x3d"};
+    if (ends_with(path, ".ply")) return MeshFormat::ply;
+    if (!imported_ending(path).empty()) return MeshFormat::imported;
     const bool is_other = std::any_of(kOthers.begin(), kOthers.end(), [&](std::string_view known) {
         return ends_with(path, known);
     });
@@ -30,10 +32,15 @@ std::optional<MeshFormat> mesh_format_of(std::string_view path) {
 }
 
 std::optional<Mesh> read_mesh(MeshFormat format, const Sources& sources, SourceId file,
-                              Span loaded_at, Diagnostics& diagnostics) {
+                              Span loaded_at, const ImportSettings& import,
+                              Diagnostics& diagnostics) {
     switch (format) {
         case MeshFormat::obj:
             return read_obj(sources, file, loaded_at, diagnostics);
+        case MeshFormat::ply:
+            return read_ply(sources, file, loaded_at, diagnostics);
+        case MeshFormat::imported:
+            return import_mesh(sources, file, loaded_at, import, diagnostics);
     }
     LRAY_ASSERT(false);
 }

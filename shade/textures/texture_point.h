@@ -19,6 +19,8 @@ struct TexturePoint {
     // unknown; then only what is finer than the width is averaged, and edges stay sharp.
     DVec3 object_normal{0.0};
     DVec3 world_normal{0.0};
+
+    DVec3 vertex_color{1.0};  // of the mesh there
 };
 
 }  // namespace lray::shade

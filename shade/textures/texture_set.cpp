@@ -54,9 +54,11 @@ TextureSet::Entry TextureSet::entry_of(const scene::Texture& texture, const scen
             return Noise(pattern);
         } else if constexpr (std::is_same_v<T, scene::MarbleTexture>) {
             return Marble(pattern);
-        } else {
-            static_assert(std::is_same_v<T, scene::WoodTexture>);
+        } else if constexpr (std::is_same_v<T, scene::WoodTexture>) {
             return Wood(pattern);
+        } else {
+            static_assert(std::is_same_v<T, scene::VertexColorsTexture>);
+            return VertexColors();
         }
     };
     const DMat3& linear = texture.texture_from_space.linear();
@@ -104,6 +106,9 @@ Color TextureSet::color(scene::TextureId id, const TexturePoint& point) const {
             p = point.world;
             normal = point.world_normal;
             width = point.world_width;
+            break;
+        case scene::TextureSpace::vertex_colors:
+            p = point.vertex_color;
             break;
     }
     p = entry.linear * p + entry.offset;

@@ -17,6 +17,7 @@
 #include "shade/textures/ramp.h"
 #include "shade/textures/stripes.h"
 #include "shade/textures/texture_point.h"
+#include "shade/textures/vertex_colors.h"
 #include "shade/textures/wood.h"
 
 namespace lray::shade {
@@ -40,7 +41,7 @@ class TextureSet {
     // two registers, and of copies of structs just written, gcc makes loads that wait for stores,
     // which cost more than looking up a checker.
     using Pattern = std::variant<ImageLookup, Checker, Stripes, Gradient, Ramp, Noise, Marble, Wood,
-                                 LightLookup>;
+                                 LightLookup, VertexColors>;
 
     struct Entry {
         Pattern pattern;

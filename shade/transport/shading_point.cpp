@@ -66,7 +66,8 @@ TexturePoint texture_point(const bvh::SurfacePoint& surface, const bvh::SurfaceD
             world_width * detail.object_per_world,
             world_width,
             object_normal(detail, surface.normal),
-            DVec3{surface.normal}};
+            DVec3{surface.normal},
+            detail.vertex_color};
 }
 
 }  // namespace

@@ -21,6 +21,21 @@ using scene::NodeId;
 using scene::SceneMaker;
 using scene::World;
 
+TEST(SurfaceDetail, ColoursOfVerticesInProportion) {
+    World world;
+    world.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    world.triangles = {{{0, 1, 2}}};
+    world.object_ids[static_cast<std::size_t>(scene::PrimitiveKind::triangle)] = {
+        scene::ObjectId(std::size_t{0})};
+    world.objects.resize(1);
+    const Hit hit{1.0f, 0.25f, 0.5f, scene::PrimitiveId(scene::PrimitiveKind::triangle, 0)};
+    SurfacePoint point;
+    point.normal = {0, 0, 1};
+    EXPECT_EQ(surface_detail(world, hit, point).vertex_color, DVec3(1.0));
+    world.colors = {{1, 0, 0}, {0, 1, 0}, {0.5f, 0, 1}};
+    EXPECT_EQ(surface_detail(world, hit, point).vertex_color, DVec3(0.5, 0.25, 0.5));
+}
+
 /// A shape in its own space, all of it within 2 of the origin.
 struct ShapeCase {
     std::string name{};

@@ -101,6 +101,8 @@ std::vector<Golden> goldens() {
         {"torus", "tests/golden/torus.lrs", {"--size", "160x120"}},
         {"textures", "tests/golden/textures.lrs", {"--size", "160x120"}},
         {"transforms", "tests/golden/transforms.lrs", {"--size", "160x120"}},
+        {"vertex_colors", "tests/golden/vertex_colors.lrs", {"--size", "160x120"}},
+        lit("lit_vertex_colors", "tests/golden/vertex_colors.lrs", "160x120", "4"),
         {"cornell", "examples/cornell.lrs", {"--size", "120x120"}},
         {"depth_of_field", "examples/depth_of_field.lrs", {"--size", "128x72"}},
         {"gallery", "examples/gallery.lrs", {"--size", "160x90"}},

@@ -54,7 +54,7 @@ struct Built {
         runtime.function = std::move(function);
         FileAccess access;
         Sources sources;
-        parser::FileLoader files(access, sources, {}, diagnostics);
+        parser::FileLoader files(access, sources, {}, {}, diagnostics);
         use = parser::build_heightfield({values, spans, Span{1, 0, 1}},
                                         {files, budget, runtime, scene, diagnostics});
     }

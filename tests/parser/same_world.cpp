@@ -70,7 +70,7 @@ class WorldWriter {
         out_.add_all(world_.vertices, world_.triangles, world_.rectangles, world_.spheres,
                      world_.ellipsoids, world_.cylinders, world_.disks, world_.boxes, world_.planes,
                      world_.tori, world_.normals, world_.uvs, world_.triangle_normals,
-                     world_.triangle_uvs);
+                     world_.triangle_uvs, world_.colors, world_.mean_colors);
         for (const auto& ids : world_.object_ids) {
             for (const scene::ObjectId id : ids) add_object(world_.object(id));
         }

@@ -34,5 +34,25 @@ TEST(Flat, HitGivesTheDiffuseColourOfItsObject) {
     EXPECT_EQ(color_of(PrimitiveKind::plane, 0), Color(7.0f, 0.0f, 0.0f));
 }
 
+TEST(Flat, VertexColoursAreTheirMean) {
+    scene::World world;
+    scene::Texture texture;
+    texture.pattern = scene::VertexColorsTexture{};
+    texture.space = scene::TextureSpace::vertex_colors;
+    world.textures = {texture};
+    world.materials.resize(1);
+    world.materials[0].diffuse = {Color{1.0f}, scene::TextureId(std::size_t{0})};
+    world.objects.resize(2);
+    world.mean_colors = {Color{0.5f, 0.25f, 0.0f}};
+    world.object_ids[static_cast<std::size_t>(PrimitiveKind::triangle)] = {
+        scene::ObjectId(std::size_t{0}), scene::ObjectId(std::size_t{1})};
+    const auto color_of = [&](std::size_t index) {
+        return flat(world, {1.0f, 0.0f, 0.0f, PrimitiveId(PrimitiveKind::triangle, index)},
+                    Color{0.0f});
+    };
+    EXPECT_EQ(color_of(0), Color(0.5f, 0.25f, 0.0f));
+    EXPECT_EQ(color_of(1), Color(1.0f));
+}
+
 }  // namespace
 }  // namespace lray::shade

@@ -83,6 +83,17 @@ TEST(TextureSet, EachSpaceIsLookedUpInItsOwnPointWithItsOwnWidth) {
     EXPECT_NE(red(TextureSpace::object), 0.25f);
 }
 
+TEST(TextureSet, ColoursOfVerticesAreThoseOfThePoint) {
+    const scene::World world =
+        test::world_with(scene::VertexColorsTexture{}, TextureSpace::vertex_colors);
+    const TextureSet textures(world);
+    TexturePoint point;
+    EXPECT_EQ(textures.color(kFirst, point), Color(1.0f));
+    point.vertex_color = {0.25, 0.5, 0.75};
+    point.uv_width = point.object_width = point.world_width = 1e9;
+    EXPECT_EQ(textures.color(kFirst, point), Color(0.25f, 0.5f, 0.75f));
+}
+
 TEST(TextureSet, StepsOfATextureMoveItsPatternAndItsWidth) {
     // Twice as large along x and moved by 3: the point 3 + 2 t shows what t does.
     const Transform steps =

@@ -250,11 +250,11 @@ TEST(Options, CommandsTakeTheirFilesAndTheirOptions) {
 
 TEST(Options, AbbreviationsAreRefusedWithTheWholeName) {
     EXPECT_EQ(failed({"--thr", "4"}).message, "unknown option `--thr`");
-    EXPECT_EQ(failed({"--thr", "4"}).help, "did you mean `--threads`?");
+    EXPECT_EQ(failed({"--thr", "4"}).help, "did you mean `--threshold` or `--threads`?");
     EXPECT_EQ(failed({"-thr=4"}).message, "unknown option `-thr`");
     EXPECT_EQ(failed({"--max"}).help,
               "did you mean `--max-errors`, `--max-nesting` or `--max-include-depth`?");
-    EXPECT_EQ(failed({"--p", "4"}).help, "did you mean `-ps`?");
+    EXPECT_EQ(failed({"--p", "4"}).help, "did you mean `-ps` or `--png-bits`?");
 }
 
 TEST(Options, SlipsAreUnderstood) {

@@ -35,7 +35,7 @@ TEST_F(PictureFormats, PngOf16BitsSaysSoAndQualityMakesJpegsSmaller) {
 }
 
 TEST_F(PictureFormats, LightOfAPictureArrivesAsItIsWhateverSrgbSays) {
-    directory_.write("sky.pfm", light_of(40.0f, 0.5f, 1e-6f));
+    directory_.write("sky.pfm", light_of(40.0f, 0.5f, 0.125f));
     for (const std::string srgb : {"true", "false"}) {
         directory_.write("scene.lrs",
                          "render { resolution: [2, 2] }\ncamera { position: [0, 0, 5] }\n"
@@ -46,7 +46,7 @@ TEST_F(PictureFormats, LightOfAPictureArrivesAsItIsWhateverSrgbSays) {
                              "point_light { position: [0, 0, 2], intensity: 0 }\n");
         const auto result = run({"scene.lrs", "-o", "a.pfm", "-A", "all", "--quiet"});
         ASSERT_EQ(result.exit_code, 0) << result.err;
-        EXPECT_EQ(picture("a.pfm").at(1, 1), (Color{40.0f, 0.5f, 1e-6f}));
+        EXPECT_EQ(picture("a.pfm").at(1, 1), (Color{40.0f, 0.5f, 0.125f}));
     }
 }
 

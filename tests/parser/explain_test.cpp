@@ -68,6 +68,10 @@ Setting setting_of(Code code) {
         setting.lint.expects_light = true;
     } else if (code == Code::W1603) {
         with_files({{"meshes/bunny.obj", kObj}});
+    } else if (code == Code::W1703) {
+        // What is in a file tells its format: here one grey pixel, infinite and 1.
+        setting.wrong_files = {{"sky.exr", std::string_view("Pf\n1 1\n-1\n\0\0\x80\x7f", 14)}};
+        setting.right_files = {{"sky.exr", std::string_view("Pf\n1 1\n-1\n\0\0\x80\x3f", 14)}};
     } else {
         with_files({{"bunny.obj", kObj}});
     }

@@ -129,6 +129,7 @@ class WorldWriter {
     void add_pattern(const scene::NoiseTexture& t) {
         out_.add_all(t.octaves, t.lacunarity, t.gain, t.seed, t.stops);
     }
+    void add_pattern(const scene::VertexColorsTexture&) {}
     template <class Veined>
     void add_pattern(const Veined& t) {
         out_.add_all(t.a, t.b, t.size, t.turbulence, t.octaves, static_cast<std::uint32_t>(t.axis),

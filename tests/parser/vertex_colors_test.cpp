@@ -108,13 +108,13 @@ TEST(VertexColors, WrongListsAreTold) {
                                     ", colors: " + std::string(colors) + " }"))
             .text();
     };
-    EXPECT_NE(error("[red]").find("E0303 2:85 `colors` needs 3 rows, one for each vertex; this has "
+    EXPECT_NE(error("[red]").find("E0303 2:86 `colors` needs 3 rows, one for each vertex; this has "
                                   "1"),
               std::string::npos)
         << error("[red]");
     EXPECT_NE(error("[red, \"blue\", red]").find("E0301"), std::string::npos);
     EXPECT_NE(error("[[0, 0, 0], [0, 2, 0], [0, 0, 0]]")
-                  .find("E0304 2:85 `colors` must be from 0 to 1, element 1 has 2"),
+                  .find("E0304 2:86 `colors` must be from 0 to 1, element 1 has 2"),
               std::string::npos)
         << error("[[0, 0, 0], [0, 2, 0], [0, 0, 0]]");
     EXPECT_NE(load_text(camera_and("let t = vertex_colors { scale: 2 }\nsphere { }"))

@@ -32,7 +32,7 @@ class ObjectFinder {
             NodeId id{};
             std::size_t next_child = 0;
         };
-        // Shared itself, a mesh is the one object of its geometry, and on the way already.
+        // Shared itself, a mesh is all objects of its geometry, and on the way already.
         if (!ContentMap::is_inner(scene_.node(geometry.node_id))) return;
         std::vector<Step> stack{{geometry.node_id, 0}};
         for (std::size_t object_count = 0; !stack.empty();) {
@@ -48,7 +48,12 @@ class ObjectFinder {
             if (!contents_.has_primitive(child)) continue;
             stack.push_back({child_id, 0});
             if (ContentMap::is_inner(child) && !is_shared(child)) continue;
-            if (object_count++ == id.index()) {
+            const std::size_t first = object_count++;
+            while (object_count < geometry.objects.size() &&
+                   geometry.objects[object_count].is_continued) {
+                ++object_count;
+            }
+            if (first <= id.index() && id.index() < object_count) {
                 for (std::size_t i = 1; i < stack.size(); ++i) path.push_back(stack[i].id);
                 return;
             }

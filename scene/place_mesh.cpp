@@ -146,6 +146,7 @@ bool Placer::enter_material(NodeId node_id, std::size_t number, const Placement&
     Placement own = placement;
     if (number < mesh.materials.size()) own.material = mesh.materials[number].value + 1;
     if (!begin_object(node_id, own)) return false;
+    geometry_.objects[object_id_.index()].is_continued = !mesh_objects_.empty();
     mesh_objects_.emplace(number, object_id_);
     if (mesh_mean_color_) {
         geometry_.mean_colors.resize(object_id_.index(), Color{1.0f});

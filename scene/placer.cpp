@@ -90,7 +90,7 @@ void Placer::place(NodeId node_id, const Placement& placement) {
 void Placer::add_object(NodeId node_id, const Placement& placement) {
     object_id_ = ObjectId{geometry_.objects.size()};
     geometry_.objects.push_back(
-        {node_id, placement.material, placement.visible, placement.casts_shadow});
+        {node_id, placement.material, placement.visible, placement.casts_shadow, false});
 }
 
 bool Placer::begin_object(NodeId node_id, const Placement& placement) {

@@ -160,6 +160,7 @@ struct Object {
     std::uint32_t material = 0;  // index into World::materials, or kInherited
     bool visible = true;
     bool casts_shadow = true;
+    bool is_continued = false;  // the one before is of the same shape: a mesh of several materials
 };
 
 /// Primitives of one space: the world, or a prototype's own.

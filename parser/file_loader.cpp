@@ -262,7 +262,8 @@ std::optional<scene::PictureId> FileLoader::read_picture(std::string_view path, 
 std::optional<scene::MeshId> FileLoader::read_mesh(scene::MeshFormat format, SourceId file,
                                                    Span span, scene::Scene& scene) {
     const std::size_t errors_before = diagnostics_.error_count() + diagnostics_.warning_count();
-    std::optional<scene::Mesh> mesh = scene::read_mesh(format, sources_, file, span, import_, diagnostics_);
+    std::optional<scene::Mesh> mesh =
+        scene::read_mesh(format, sources_, file, span, import_, diagnostics_);
     if (diagnostics_.error_count() + diagnostics_.warning_count() == errors_before) {
         sources_.release_text(file);  // nothing in it will be shown
     }

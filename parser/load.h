@@ -43,7 +43,7 @@ struct LoadSettings {
     LoadLimits limits{};
     std::vector<Definition> definitions{};
     std::string importer{};  // the program that imports other meshes than OBJ and PLY; empty: none
-    double frame = 0.0;  // of the animation: `frame`, and `time` = start + frame / fps
+    double frame = 0.0;      // of the animation: `frame`, and `time` = start + frame / fps
     std::function<void(std::string_view)> print{};  // takes each printed line; none: dropped
 
     /// Off: no literal fast path, and components are evaluated at each use. The scene is the same;

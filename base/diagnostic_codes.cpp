@@ -409,7 +409,7 @@ constexpr CodeInfo kInfos[] = {
  "are read where lray was built with Assimp.",
  "mesh { file: \"chair.blend\" }",
  "mesh { file: \"chair.obj\" }"},
-{LRAY_CODE(E0706), "NFF file not understood",
+{LRAY_CODE(E0706), "mistake in an NFF file",
  "What stands in the NFF file is not what its format says: for example a sphere without its four numbers, or a "
  "shape before the first `f`.",
  "b 0.1 0.1 0.3\nf 1 0.5 0.3 0.8 0.2 10 0 1\ns 0 0 0\ns 2 0 0 0.5",

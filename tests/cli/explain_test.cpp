@@ -89,7 +89,7 @@ TEST(Explain, LimitsAreThoseOfTheOptionsWithTheirDefaults) {
                                                std::to_string(spec.value_of(defaults)) + " "));
         }
     }
-    EXPECT_EQ(count, 17u);
+    EXPECT_EQ(count, 19u);
 }
 
 TEST(Explain, WarningByItsNameSaysHowToSilenceIt) {

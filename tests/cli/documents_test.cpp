@@ -207,8 +207,8 @@ std::vector<std::string> links_of(const std::string& document) {
 
 TEST(Documents, LinkToFilesThatAreThere) {
     for (const std::string document :
-         {"README.md", "grammar.md", "docs/diagnostics.md", "docs/formats.md", "docs/guide.md", "docs/hierarchies.md",
-          "docs/architecture.md", "docs/viewer.md"}) {
+         {"README.md", "grammar.md", "docs/diagnostics.md", "docs/formats.md", "docs/guide.md",
+          "docs/hierarchies.md", "docs/architecture.md", "docs/viewer.md"}) {
         const std::filesystem::path path = std::filesystem::path(kTop) / document;
         for (const std::string& link : links_of(test::read_bytes(path.string()))) {
             EXPECT_TRUE(std::filesystem::exists(path.parent_path() / link))

@@ -177,7 +177,8 @@ TEST(Heightfield, WrongPicturesAreTold) {
                                           {"line.ppm", std::string_view("P6 1 2 255\n______", 17)},
                                           {"cut.ppm", "P6 9 9 255\nxx"}};
     EXPECT_EQ(errors_of("heightfield { image: \"notes.png\" }", {}, files),
-              "E0703 1:22 `notes.png`: this is not a PNG, JPEG, PPM, PFM, Radiance HDR or OpenEXR file\n");
+              "E0703 1:22 `notes.png`: this is not a PNG, JPEG, PPM, PFM, Radiance HDR or OpenEXR "
+              "file\n");
     EXPECT_EQ(errors_of("heightfield { image: \"line.ppm\" }", {}, files),
               "E0703 1:22 a heightfield needs a picture of 2 x 2 pixels or more, this has 1 x 2\n");
     EXPECT_EQ(errors_of("heightfield { image: \"cut.ppm\" }", {}, files).substr(0, 11),

@@ -9,24 +9,12 @@
 #include <string>
 #include <string_view>
 
+#include "base/sanitizers.h"
 #include "cli/option_values.h"
-
-// gcc defines a macro, clang answers a question.
-#if defined(__has_feature)
-#define LRAY_HAS_FEATURE(name) __has_feature(name)
-#else
-#define LRAY_HAS_FEATURE(name) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || \
-    LRAY_HAS_FEATURE(address_sanitizer) || LRAY_HAS_FEATURE(thread_sanitizer)
-#define LRAY_RESERVES_TERABYTES 1
-#else
-#define LRAY_RESERVES_TERABYTES 0
-#endif
 
 namespace lray::cli {
 
-const bool kCanLimitMemory = LRAY_RESERVES_TERABYTES == 0;
+const bool kCanLimitMemory = !kReservesTerabytes;
 
 namespace {
 

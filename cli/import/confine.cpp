@@ -19,18 +19,7 @@
 #include <initializer_list>
 #include <vector>
 
-// gcc defines a macro, clang answers a question.
-#if defined(__has_feature)
-#define LRAY_HAS_FEATURE(name) __has_feature(name)
-#else
-#define LRAY_HAS_FEATURE(name) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || \
-    LRAY_HAS_FEATURE(address_sanitizer) || LRAY_HAS_FEATURE(thread_sanitizer)
-#define LRAY_RESERVES_TERABYTES 1
-#else
-#define LRAY_RESERVES_TERABYTES 0
-#endif
+#include "base/sanitizers.h"
 
 namespace lray::import {
 
@@ -45,7 +34,7 @@ bool limit(int resource, std::uint64_t most) {
 }
 
 bool set_limits(std::uint64_t max_bytes, std::uint64_t max_seconds) {
-    const bool is_memory_limited = LRAY_RESERVES_TERABYTES != 0 || limit(RLIMIT_AS, max_bytes);
+    const bool is_memory_limited = kReservesTerabytes || limit(RLIMIT_AS, max_bytes);
     return is_memory_limited && limit(RLIMIT_CPU, max_seconds) && limit(RLIMIT_FSIZE, 0) &&
            limit(RLIMIT_NOFILE, 0) && limit(RLIMIT_CORE, 0) && limit(RLIMIT_NPROC, 0);
 }

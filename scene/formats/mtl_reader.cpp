@@ -279,20 +279,13 @@ bool MtlReader::is_number_here() const {
 }
 
 std::optional<double> MtlReader::read_number(std::string_view needed) {
-    at_ = skip_blanks(at_);
-    const char* const begin = at_;
-    const bool is_negative = *at_ == '-';
-    if (*at_ == '-' || *at_ == '+') ++at_;
-    const ParsedNumber number = parse_decimal(at_);
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    if (!number.is_found() || !is_token_end(number.end) || number.value > kLargest) {
-        at_ = begin;
-        mistakes_.wrong_number(statement_, begin, number_count_, needed);
-        return std::nullopt;
+    const std::optional<double> number = take_number(at_);
+    if (number) {
+        ++number_count_;
+    } else {
+        mistakes_.wrong_number(statement_, at_, number_count_, needed);
     }
-    at_ = number.end;
-    ++number_count_;
-    return is_negative ? -number.value : number.value;
+    return number;
 }
 
 void MtlReader::skip(std::string_view keyword) {

@@ -5,8 +5,11 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <optional>
 #include <string_view>
 
+#include "base/parse_number.h"
 #include "base/source.h"
 
 // All functions take a place in a Text and stop at its end, where the padding begins: a NUL ends a
@@ -46,6 +49,20 @@ inline const char* skip_token(const char* at) {
 
 inline std::string_view token_at(const char* begin) {
     return {begin, static_cast<std::size_t>(skip_token(begin) - begin)};
+}
+
+/// Takes the number of a token, behind blanks; empty if it is none, or none that a float holds:
+/// then `at` is the begin of the token.
+inline std::optional<double> take_number(const char*& at) {
+    at = skip_blanks(at);
+    const bool is_negative = *at == '-';
+    const ParsedNumber number = parse_decimal(*at == '-' || *at == '+' ? at + 1 : at);
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    if (!number.is_found() || !is_token_end(number.end) || number.value > kLargest) {
+        return std::nullopt;
+    }
+    at = number.end;
+    return is_negative ? -number.value : number.value;
 }
 
 /// Returns the end of the line, eight bytes at a time; or a place at or behind `limit`.

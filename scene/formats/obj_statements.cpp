@@ -209,21 +209,15 @@ std::uint32_t StatementReader::read_index(IndexKind kind, std::size_t so_far, st
 /// Returns the next number of the statement; 0 if it is wrong or one was wrong before.
 double StatementReader::read_number() {
     if (is_statement_wrong_) return 0.0;
-    at_ = skip_blanks(at_);
-    const char* const begin = at_;
-    const bool is_negative = *at_ == '-';
-    if (*at_ == '-' || *at_ == '+') ++at_;
-    const ParsedNumber number = parse_decimal(at_);
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    if (!number.is_found() || !is_token_end(number.end) || number.value > kLargest) {
+    const std::optional<double> number = take_number(at_);
+    if (!number) {
         is_statement_wrong_ = true;
-        mistakes_.wrong_number(statement_, begin, number_count_,
+        mistakes_.wrong_number(statement_, at_, number_count_,
                                statement_[1] == 't' ? "1 to 3" : "3");
         return 0.0;
     }
-    at_ = number.end;
     ++number_count_;
-    return is_negative ? -number.value : number.value;
+    return *number;
 }
 
 }  // namespace lray::scene::obj

@@ -4,6 +4,7 @@
 usage: bench/report_timings.py [LRAY]      (build/release/lray; the window needs Xvfb and xdotool)
 """
 import json
+import math
 import os
 import subprocess
 import sys
@@ -40,23 +41,38 @@ def object_count(run):
     return sum(run["primitives"].values())
 
 
+def sphere_cloud(count):
+    """Spheres anywhere in a cube, which cover as much of the picture however many they are."""
+    return f"""lrs 1.0
+camera {{ position: [0, 0, 3.2], look_at: [0, 0, 0], fov: 40 }}
+for i in range({count}) {{
+  sphere {{
+    center: [rand_range(-1, 1, 1, i), rand_range(-1, 1, 2, i), rand_range(-1, 1, 3, i)]
+    radius: {0.55 / math.cbrt(count):.8f}
+    material {{ diffuse: hsv(360 * rand(4, i), 0.7, 0.9) }}
+  }}
+}}
+"""
+
+
 def hierarchies():
-    """The sphereflake of more and more spheres, flat, through each hierarchy."""
+    """More and more spheres, painted flat, through each hierarchy."""
     print("| spheres | `none`, render s | `spheres`, build s | render s | `boxes`, build s | render s |")
     print("|---|---|---|---|---|---|")
-    for generations in range(1, 7):
-        common = [str(EXAMPLES / "sphereflake.lrs"), "-D", f"generations={generations}", "-n", "2",
-                  "-ps", "1", "--shading", "flat", "--size", "640x480"]
-        cells = []
-        boxes = best(3, *common, "--accel", "boxes")
-        count = object_count(boxes)
-        if count <= 10_000:
-            cells.append(seconds(best(1, *common, "--accel", "none")["seconds"]["render"]))
-        else:
-            cells.append("")
-        for run in (best(3, *common, "--accel", "spheres"), boxes):
-            cells += [seconds(run["seconds"]["build"]), seconds(run["seconds"]["render"])]
-        print(f"| {count} | " + " | ".join(cells) + " |", flush=True)
+    with tempfile.TemporaryDirectory() as directory:
+        scene = os.path.join(directory, "cloud.lrs")
+        for count in (100, 1_000, 10_000, 100_000, 1_000_000):
+            Path(scene).write_text(sphere_cloud(count), encoding="utf-8")
+            common = [scene, "-n", "2", "-ps", "1", "--size", "640x480"]
+            repeat = 3 if count <= 100_000 else 1
+            cells = [""]
+            if count <= 10_000:
+                cells = [seconds(stats(*common, "--accel", "none")["seconds"]["render"])]
+            for accel in ("spheres", "boxes"):
+                run = best(repeat, *common, "--accel", accel)
+                assert object_count(run) == count
+                cells += [seconds(run["seconds"]["build"]), seconds(run["seconds"]["render"])]
+            print(f"| {count} | " + " | ".join(cells) + " |", flush=True)
 
 
 def levels():
@@ -77,8 +93,8 @@ def window(scene, environment):
     command = [LRAY, "-n", "3", "-i", scene, "--size", "640x480", "--stats=json"]
     process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, text=True)
-    subprocess.run(["xdotool", "search", "--sync", "--onlyvisible", "--pid", str(process.pid)],
-                   env=environment, capture_output=True, timeout=60, check=False)
+    subprocess.run(["xdotool", "search", "--sync", "--onlyvisible", "--name", "lray"],
+                   env=environment, capture_output=True, timeout=60, check=True)
     subprocess.run(["xdotool", "mousemove", "100", "100"], env=environment, check=False)
     time.sleep(8)
     subprocess.run(["xdotool", "key", "Escape"], env=environment, check=False)

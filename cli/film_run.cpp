@@ -74,11 +74,9 @@ void tell_going_on(const std::string& path, const render::Film& film,
                    const render::RenderOptions& options) {
     std::string share;
     if (!options.limits.is_any()) {
-        std::uint64_t count = 0;
-        for (const auto& pixel : film.pixels()) count += pixel.sample_count;
         const double whole = static_cast<double>(film.pixels().size()) * options.samples.count();
         share = fmt::format(", which has {:.0f} % of the samples",
-                            std::floor(100.0 * static_cast<double>(count) / whole));
+                            std::floor(100.0 * static_cast<double>(film.sample_count()) / whole));
     }
     print_note(fmt::format("going on from `{}`{}", path, share));
 }

@@ -37,6 +37,12 @@ Color Film::standard_error(std::uint32_t x, std::uint32_t y) const {
     return error;
 }
 
+std::uint64_t Film::sample_count() const {
+    std::uint64_t count = 0;
+    for (const Pixel& pixel : pixels_) count += pixel.sample_count;
+    return count;
+}
+
 Film Film::part(std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height) const {
     LRAY_ASSERT(width <= width_ && x <= width_ - width);
     LRAY_ASSERT(height <= height_ && y <= height_ - height);

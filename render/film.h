@@ -110,6 +110,9 @@ class Film {
         return pixels_[std::size_t{y} * width_ + x];
     }
 
+    /// Returns how many samples all pixels have together.
+    std::uint64_t sample_count() const;
+
     /// Row by row from the top left; squares are empty if they are not kept.
     std::span<const Pixel> pixels() const { return pixels_; }
     std::span<const Squares> squares() const { return squares_; }

@@ -25,4 +25,9 @@ Film KeptFilm::film() const {
     return film_;
 }
 
+std::uint64_t KeptFilm::sample_count() const {
+    const std::lock_guard lock(mutex_);
+    return film_.sample_count();
+}
+
 }  // namespace lray::render

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 
@@ -33,6 +34,7 @@ class KeptFilm {
     void put(const PixelRect& part, const Film& film, const FilmCounts& more);
 
     Film film() const;
+    std::uint64_t sample_count() const;
 
  private:
     using Clock = std::chrono::steady_clock;

@@ -23,12 +23,6 @@ namespace {
 constexpr std::uint32_t kSamplesPerReport = 4;  // of a block, between two looks at progress
 constexpr double kPassSeconds = 0.05;           // what a pass takes if it holds several samples
 
-std::uint64_t sample_count(const Film& film) {
-    std::uint64_t count = 0;
-    for (const Film::Pixel& pixel : film.pixels()) count += pixel.sample_count;
-    return count;
-}
-
 /// What the tiles share. Each writes its own pixels of the picture.
 struct Job {
     BlockSettings settings;
@@ -174,7 +168,7 @@ RenderResult render(const scene::World& world, const bvh::Accel& accel, const sc
     const SampleTracer tracer(world, accel, camera, options, cancel);
     const RenderProgress total{.total_samples = area.pixel_count() * samples.count(),
                                .total_pixels = area.pixel_count(),
-                               .kept_samples = kept == nullptr ? 0 : sample_count(kept->film()),
+                               .kept_samples = kept == nullptr ? 0 : kept->sample_count(),
                                .limits = options.limits};
     Job job{.settings = {tracer, samples, options.limits.noise, image::Display(options.display),
                          cancel},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "image/srgb.h"
 
@@ -13,6 +14,14 @@ namespace lray::scene {
 namespace {
 
 constexpr IndexTriple kNoTriple = {Mesh::kNone, Mesh::kNone, Mesh::kNone};
+
+/// Makes room for some more. A vector that is told its size for each of many small parts would move
+/// all it holds each time: it at least doubles instead.
+template <class T>
+void reserve_more(std::vector<T>& values, std::size_t count) {
+    const std::size_t needed = values.size() + count;
+    if (needed > values.capacity()) values.reserve(std::max(needed, 2 * values.capacity()));
+}
 
 class AnswerReader {
  public:
@@ -130,7 +139,7 @@ bool AnswerReader::read_part() {
 }
 
 bool AnswerReader::read_positions(std::uint32_t count) {
-    mesh_.positions.reserve(first_position_ + count);
+    reserve_more(mesh_.positions, count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto p = take_known<std::array<float, 3>>();
         if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) return false;
@@ -140,7 +149,7 @@ bool AnswerReader::read_positions(std::uint32_t count) {
 }
 
 void AnswerReader::read_normals(std::uint32_t count) {
-    mesh_.normals.reserve(first_normal_ + count);
+    reserve_more(mesh_.normals, count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto n = take_known<std::array<float, 3>>();
         const DVec3 normal(n[0], n[1], n[2]);
@@ -151,7 +160,7 @@ void AnswerReader::read_normals(std::uint32_t count) {
 }
 
 void AnswerReader::read_uvs(std::uint32_t count) {
-    mesh_.uvs.reserve(first_uv_ + count);
+    reserve_more(mesh_.uvs, count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto uv = take_known<std::array<float, 2>>();
         const bool is_finite = std::isfinite(uv[0]) && std::isfinite(uv[1]);
@@ -160,7 +169,7 @@ void AnswerReader::read_uvs(std::uint32_t count) {
 }
 
 void AnswerReader::read_colors(std::uint32_t count) {
-    mesh_.colors.reserve(first_position_ + count);
+    reserve_more(mesh_.colors, count);
     const auto linear = [&](float code) {
         if (coding_ == ColorCoding::srgb) {
             return static_cast<float>(image::srgb_decode(static_cast<double>(code)));
@@ -177,7 +186,7 @@ bool AnswerReader::read_triangles(const PartHeader& part, const Mesh& before) {
     const bool has_normals = (part.has & wire::kHasNormals) != 0;
     const bool has_uvs = (part.has & wire::kHasUvs) != 0;
     const std::size_t first = before.triangles.size();
-    mesh_.triangles.reserve(first + part.triangle_count);
+    reserve_more(mesh_.triangles, part.triangle_count);
     const auto moved = [](const IndexTriple& triple, std::size_t by) {
         const auto offset = static_cast<std::uint32_t>(by);
         return IndexTriple{triple[0] + offset, triple[1] + offset, triple[2] + offset};

@@ -81,7 +81,6 @@ NffNodes add_nff(NffScene&& nff, Scene& scene) {
     const std::uint32_t first_cylinder = append(scene.cylinders, std::move(nff.cylinders));
     const std::uint32_t first_triangle = append(scene.triangles, std::move(nff.triangles));
 
-    scene.nodes.reserve(scene.nodes.size() + nff.shapes.size() + nff.lights.size());
     for (const NffShape& shape : nff.shapes) {
         Node node;
         node.kind = shape.kind;

@@ -153,64 +153,6 @@ TEST_F(EndToEnd, CameraIsTheFirstOrTheOneNamed) {
     EXPECT_TRUE(contains(wrong.err, "did you mean `top`?")) << wrong.err;
 }
 
-TEST_F(EndToEnd, MistakeInAMeshIsToldAtItsLineAndWhereItIsLoaded) {
-    directory_.write("scene.lrs", std::string(kScene) + "mesh { file: \"models/bunny.obj\" }\n");
-    std::string obj = "# a bunny\n";
-    for (int i = 0; i < 810; ++i) obj += "v 0 0 " + std::to_string(i) + "\n";
-    directory_.write("models/bunny.obj", obj + "f 1 2 9999\n");
-    const auto result = run({"scene.lrs", "-o", "a.ppm"});
-    EXPECT_EQ(result.exit_code, 1);
-    EXPECT_TRUE(contains(result.err, "models/bunny.obj:812:7: error[E0702]: vertex 9999 of 810\n"))
-        << result.err;
-    EXPECT_TRUE(contains(result.err, "scene.lrs:4:14")) << result.err;
-    EXPECT_TRUE(contains(result.err, "1 error; nothing rendered")) << result.err;
-    directory_.write("models/bunny.obj", obj + "f 1 2 zebra\n");
-    const auto syntax = run({"scene.lrs", "-o", "a.ppm"});
-    EXPECT_EQ(syntax.exit_code, 1);
-    EXPECT_TRUE(contains(syntax.err, "models/bunny.obj:812:7: error[E0701]")) << syntax.err;
-}
-
-TEST_F(EndToEnd, NffIsAScene) {
-    directory_.write(
-        "ball.nff",
-        "b 0 0 1\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 45 hither 0.1 resolution 64 48\n"
-        "l 0 0 9\nf 1 0.5 0.5 1 0 1 0 1\ns 0 0 0 1\n");
-    for (const char* level : {"1", "2"}) {
-        const auto result = run({"-n", level, "-i", "ball.nff", "-o", "ball.ppm"});
-        EXPECT_EQ(result.exit_code, 0) << result.err;
-        const image::Image image = picture("ball.ppm");
-        ASSERT_EQ(image.width, 64u);
-        ASSERT_EQ(image.height, 48u);
-        EXPECT_EQ(image.at(0, 0), Color(0, 0, 1));
-        EXPECT_GT(image.at(32, 24).r, 0.8f) << level;
-        EXPECT_LT(image.at(32, 24).g, 0.6f) << level;
-    }
-    EXPECT_EQ(run({"--dump", "ball.nff", "-o", "ball.lrs"}).exit_code, 0);
-    const std::vector<std::string> lit{"-n", "2", "--shading", "full", "-ps", "2"};
-    const auto picture_of = [&](const std::string& scene) {
-        std::vector<std::string> options = lit;
-        options.insert(options.end(), {"-i", scene, "-o", "-"});
-        const auto result = run(options);
-        EXPECT_EQ(result.exit_code, 0) << result.err;
-        return result.out;
-    };
-    EXPECT_EQ(picture_of("ball.lrs"), picture_of("ball.nff"));
-    directory_.write("all.lrs", "include \"ball.nff\"\n");
-    EXPECT_EQ(picture_of("all.lrs"), picture_of("ball.nff"));
-    EXPECT_EQ(run({"--deps", "all.lrs"}).out, "all.lrs\nball.nff\n");
-    EXPECT_EQ(run({"ball.nff", "-o", "small.ppm", "--size", "8x6"}).exit_code, 0);
-    EXPECT_EQ(picture("small.ppm").width, 8u);
-}
-
-TEST_F(EndToEnd, MistakeInNffIsToldAtItsLine) {
-    directory_.write("ball.nff", "f 1 1 1 1 0 1 0 1\ns 0 0 0\n");
-    const auto result = run({"--check", "ball.nff"});
-    EXPECT_EQ(result.exit_code, 1);
-    EXPECT_NE(result.err.find("ball.nff:2:1: error[E0706]: `s` needs 4 numbers, this has 3\n"),
-              std::string::npos)
-        << result.err;
-}
-
 TEST_F(EndToEnd, SceneOfAnotherDirectoryFindsItsFilesBesideIt) {
     directory_.write("far/scene.lrs", std::string(kScene) + "include \"parts/ball.lrs\"\n");
     directory_.write("far/parts/ball.lrs", "mesh { file: \"ball.obj\" }\n");

@@ -260,6 +260,29 @@ TEST_F(WindowTest, AnEditorsSaveIsShown) {
     EXPECT_EQ(quit().exit_code, 0);
 }
 
+TEST_F(WindowTest, ASavedNffFileIsShown) {
+    const auto ball = [](const char* color) {
+        return std::string(
+                   "v from 0 0 10 at 0 0 0 up 0 1 0 angle 45 hither 1 resolution 400 300\n"
+                   "l 0 0 9\nf ") +
+               color + " 1 0 1 0 1\ns 0 0 0 2\n";
+    };
+    directory_.write("ball.nff", ball("1 0 0"));
+    open({"ball.nff"});
+    const auto is_colored = [&](int channel) {
+        const Screenshot shot = display_->screenshot();
+        const std::uint8_t* const pixel = shot.pixel(200, 180);
+        return pixel[channel] > 150 && pixel[2 - channel] < 50;
+    };
+    EXPECT_TRUE(comes_true([&] { return is_colored(0); }));
+    directory_.write("ball.nff", ball("0 0 nothing"));
+    EXPECT_TRUE(
+        comes_true([&] { return contains(process_->err(), "ball.nff:3:7: error[E0706]"); }));
+    directory_.write("ball.nff", ball("0 0 1"));
+    EXPECT_TRUE(comes_true([&] { return is_colored(2); }));
+    EXPECT_EQ(quit().exit_code, 0);
+}
+
 TEST_F(WindowTest, AMistakeIsShownOverThePictureAndToldInTheTerminal) {
     directory_.write("scene.lrs", kBall);
     open({"-ps", "2", "scene.lrs"});

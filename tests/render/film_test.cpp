@@ -77,6 +77,19 @@ TEST(Film, BrightestSamplesDoNotOverflow) {
     EXPECT_EQ(film.counts().clamped, 0u);
 }
 
+TEST(Film, SamplesOfAllPixelsAreCounted) {
+    Film film(3, 2);
+    EXPECT_EQ(film.sample_count(), 0u);
+    for (int i = 0; i < 5; ++i) film.add(2, 1, Color{1.0f});
+    film.add(0, 0, Color{kNan});  // counts, though as black
+    EXPECT_EQ(film.sample_count(), 6u);
+    Film more(3, 2);
+    more.add(2, 1, Color{0.0f});
+    film.add_film(more);
+    EXPECT_EQ(film.sample_count(), 7u);
+    EXPECT_EQ(film.part(2, 0, 1, 2).sample_count(), 6u);
+}
+
 TEST(Film, TooBrightIsClampedAndCounted) {
     Film film(1, 1);
     film.add(0, 0, {kInf, 65505.0f, 1.0f});

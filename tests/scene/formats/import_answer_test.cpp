@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -78,6 +79,30 @@ TEST(ImportAnswer, PartsWithAndWithoutAttributes) {
     EXPECT_EQ(mesh->parts[1].name, "bc");
     EXPECT_EQ(mesh->parts[1].first_triangle, 1u);
     EXPECT_EQ(mesh->parts[1].triangle_count, 2u);
+}
+
+// Time that grows with the square of their number would be half a minute.
+TEST(ImportAnswer, ManySmallPartsAreReadInTime) {
+    constexpr std::uint32_t kParts = 200'000;
+    Bytes bytes;
+    bytes.words({wire::kMagic});
+    for (std::uint32_t i = 0; i < kParts; ++i) {
+        bytes.words({wire::kPart, 1, 3, 1, wire::kHasAll}).text("a");
+        for (int vertex = 0; vertex < 3; ++vertex) {
+            bytes.floats({static_cast<float>(i), 0, 0, 0, 0, 1, 0, 0, 1, 1, 1});
+        }
+        bytes.words({0, 1, 2});
+    }
+    bytes.words({wire::kEnd});
+    const auto begin = std::chrono::steady_clock::now();
+    const auto mesh = mesh_in(bytes.all());
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->positions.size(), 3 * kParts);
+    EXPECT_EQ(mesh->triangles.back(),
+              (IndexTriple{3 * kParts - 3, 3 * kParts - 2, 3 * kParts - 1}));
+    EXPECT_EQ(mesh->parts.size(), kParts);
+    EXPECT_LT(taken.count(), 10.0);
 }
 
 TEST(ImportAnswer, ColoursOfAScreenAreDecoded) {

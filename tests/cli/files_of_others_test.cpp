@@ -1,0 +1,133 @@
+// The program with files of other formats: meshes, also imported ones, and NFF.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/cli/lray_test.h"
+
+namespace lray {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FilesOfOthers : public LrayTest {
+ protected:
+    static bool has_importer() {
+        return fs::exists(fs::path(LRAY_BINARY).parent_path() / "lray-import");
+    }
+};
+
+TEST_F(FilesOfOthers, MistakeInAMeshIsToldAtItsLineAndWhereItIsLoaded) {
+    directory_.write("scene.lrs", std::string(kScene) + "mesh { file: \"models/bunny.obj\" }\n");
+    std::string obj = "# a bunny\n";
+    for (int i = 0; i < 810; ++i) obj += "v 0 0 " + std::to_string(i) + "\n";
+    directory_.write("models/bunny.obj", obj + "f 1 2 9999\n");
+    const auto result = run({"scene.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(contains(result.err, "models/bunny.obj:812:7: error[E0702]: vertex 9999 of 810\n"))
+        << result.err;
+    EXPECT_TRUE(contains(result.err, "scene.lrs:4:14")) << result.err;
+    EXPECT_TRUE(contains(result.err, "1 error; nothing rendered")) << result.err;
+    directory_.write("models/bunny.obj", obj + "f 1 2 zebra\n");
+    const auto syntax = run({"scene.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(syntax.exit_code, 1);
+    EXPECT_TRUE(contains(syntax.err, "models/bunny.obj:812:7: error[E0701]")) << syntax.err;
+}
+
+TEST_F(FilesOfOthers, NffIsAScene) {
+    directory_.write(
+        "ball.nff",
+        "b 0 0 1\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 45 hither 0.1 resolution 64 48\n"
+        "l 0 0 9\nf 1 0.5 0.5 1 0 1 0 1\ns 0 0 0 1\n");
+    for (const char* level : {"1", "2"}) {
+        const auto result = run({"-n", level, "-i", "ball.nff", "-o", "ball.ppm"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        const image::Image image = picture("ball.ppm");
+        ASSERT_EQ(image.width, 64u);
+        ASSERT_EQ(image.height, 48u);
+        EXPECT_EQ(image.at(0, 0), Color(0, 0, 1));
+        EXPECT_GT(image.at(32, 24).r, 0.8f) << level;
+        EXPECT_LT(image.at(32, 24).g, 0.6f) << level;
+    }
+    EXPECT_EQ(run({"--dump", "ball.nff", "-o", "ball.lrs"}).exit_code, 0);
+    const std::vector<std::string> lit{"-n", "2", "--shading", "full", "-ps", "2"};
+    const auto picture_of = [&](const std::string& scene) {
+        std::vector<std::string> options = lit;
+        options.insert(options.end(), {"-i", scene, "-o", "-"});
+        const auto result = run(options);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return result.out;
+    };
+    EXPECT_EQ(picture_of("ball.lrs"), picture_of("ball.nff"));
+    directory_.write("all.lrs", "include \"ball.nff\"\n");
+    EXPECT_EQ(picture_of("all.lrs"), picture_of("ball.nff"));
+    EXPECT_EQ(run({"--deps", "all.lrs"}).out, "all.lrs\nball.nff\n");
+    EXPECT_EQ(run({"ball.nff", "-o", "small.ppm", "--size", "8x6"}).exit_code, 0);
+    EXPECT_EQ(picture("small.ppm").width, 8u);
+}
+
+/// Two triangles that share an edge, as STL text and as a mesh of the language.
+constexpr const char* kRoofStl =
+    "solid roof\n"
+    "facet normal 0 0 1\nouter loop\nvertex -1 -1 0\nvertex 1 -1 0\nvertex 0 1 0.5\nendloop\n"
+    "endfacet\n"
+    "facet normal 0 0 1\nouter loop\nvertex 1 -1 0\nvertex 2 1 -1\nvertex 0 1 0.5\nendloop\n"
+    "endfacet\n"
+    "endsolid roof\n";
+constexpr const char* kRoof =
+    "mesh {\n"
+    "  positions: [[-1, -1, 0], [1, -1, 0], [0, 1, 0.5], [2, 1, -1]]\n"
+    "  triangles: [[0, 1, 2], [1, 3, 2]]\n"
+    "}\n";
+constexpr const char* kRoofView =
+    "render { resolution: [64, 48] }; point_light { position: [2, 5, 5] }\n"
+    "camera { position: [0, 0, 5], look_at: [0, 0, 0] }\n";
+
+TEST_F(FilesOfOthers, ImporterIsFoundBesideTheProgramHoweverItIsCalled) {
+    const fs::path program = LRAY_BINARY;
+    if (!has_importer()) GTEST_SKIP() << "built without Assimp";
+    directory_.write("far/roof.stl", kRoofStl);
+    directory_.write("far/imported.lrs", std::string(kRoofView) + "mesh { file: \"roof.stl\" }\n");
+    directory_.write("far/same.lrs", std::string(kRoofView) + kRoof);
+    directory_.write("elsewhere/a.txt", "");
+    fs::create_directory_symlink(program.parent_path(), directory_.path("programs"));
+    fs::create_symlink(program, directory_.path("linked"));
+    const auto rendered = [&](const std::string& called, const std::string& scene) {
+        const auto result = test::run_process(
+            {called, "-n", "2", "-i", directory_.path(scene), "-o", directory_.path("a.ppm")}, {},
+            directory_.path("elsewhere"));
+        EXPECT_EQ(result.exit_code, 0) << called << "\n" << result.err;
+        return result.exit_code == 0 ? directory_.read("a.ppm") : std::string();
+    };
+    const std::string expected = rendered(LRAY_BINARY, "far/same.lrs");
+    const image::Image shown = picture("a.ppm");
+    EXPECT_GT(shown.at(32, 24).r, shown.at(0, 0).r + 0.1f) << "the mesh is in the picture";
+    EXPECT_EQ(rendered(LRAY_BINARY, "far/imported.lrs"), expected);
+    EXPECT_EQ(rendered(directory_.path("linked"), "far/imported.lrs"), expected);
+    EXPECT_EQ(rendered("../linked", "far/imported.lrs"), expected);
+    EXPECT_EQ(rendered("../programs/lray", "far/imported.lrs"), expected);
+}
+
+TEST_F(FilesOfOthers, MistakeInAnImportedMeshIsToldWhereItIsLoaded) {
+    if (!has_importer()) GTEST_SKIP() << "built without Assimp";
+    directory_.write("scene.lrs", std::string(kScene) + "mesh { file: \"roof.stl\" }\n");
+    directory_.write("roof.stl", "no mesh\n");
+    const auto result = run({"scene.lrs", "-o", "a.ppm"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_TRUE(contains(result.err, "scene.lrs:4:14: error[E0701]: `roof.stl` is not understood"))
+        << result.err;
+}
+
+TEST_F(FilesOfOthers, MistakeInNffIsToldAtItsLine) {
+    directory_.write("ball.nff", "f 1 1 1 1 0 1 0 1\ns 0 0 0\n");
+    const auto result = run({"--check", "ball.nff"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.err.find("ball.nff:2:1: error[E0706]: `s` needs 4 numbers, this has 3\n"),
+              std::string::npos)
+        << result.err;
+}
+
+}  // namespace
+}  // namespace lray

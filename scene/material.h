@@ -34,6 +34,11 @@ using ScalarCoefficient = CoefficientOf<float>;
 /// Likewise, for both numbers.
 using PlanarCoefficient = CoefficientOf<Vec2>;
 
+enum class BumpUnit : std::uint8_t {
+    metre,  // of the world
+    uv,     // the side of the square that u and v from 0 to 1 cover on the surface
+};
+
 struct Material {
     ReflectionModel model = ReflectionModel::blinn_phong;
     std::optional<Coefficient> ambient{};  // empty: as diffuse
@@ -48,7 +53,9 @@ struct Material {
     Coefficient absorption{Color{0.0f}};  // per metre
     Coefficient emission{Color{0.0f}};
     ScalarCoefficient opacity{1.0f};
-    TextureId bump_id{};        // height in metres along the normal; none: smooth
+    TextureId bump_id{};       // height along the normal; none: smooth
+    double bump_height = 1.0;  // of 1 in that texture, in units of
+    BumpUnit bump_unit = BumpUnit::metre;
     TextureId normal_map_id{};  // tangent-space normals coded as 0 to 1; none: the shape's own
     bool two_sided = true;
 };

@@ -30,8 +30,9 @@ bool depends_on_shape(const Material& material, std::span<const Texture> texture
                          material.emission.texture_id,
                          material.opacity.texture_id,
                          material.bump_id};
-    // A normal map is relative to u and v, wherever it is looked up.
+    // A normal map is relative to u and v, wherever it is looked up; so may heights be.
     if (!material.normal_map_id.is_none()) return true;
+    if (!material.bump_id.is_none() && material.bump_unit == BumpUnit::uv) return true;
     // Its two roughnesses are along u and v.
     const Vec2 roughness = material.roughness.constant;
     if (material.model == ReflectionModel::ward && roughness.x != roughness.y) return true;

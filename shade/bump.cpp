@@ -61,6 +61,12 @@ TexturePoint moved(const TexturePoint& point, const bvh::SurfaceDetail& detail, 
     return result;
 }
 
+double uv_length(const bvh::SurfaceDetail& detail) {
+    const DVec3 square = cross(DVec3{detail.dp_du}, DVec3{detail.dp_dv});
+    const double area = std::sqrt(dot(square, square));
+    return std::isfinite(area) ? std::sqrt(area) : 0.0;
+}
+
 double bump_width(const TexturePoint& point) {
     const bool has_width =
         point.world_width > 0.0 && point.world_width <= std::numeric_limits<double>::max();

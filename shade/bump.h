@@ -30,6 +30,11 @@ TangentFrame any_frame(Vec3 normal);
 /// Space: `step` in the world, in the tangent plane.
 TexturePoint moved(const TexturePoint& point, const bvh::SurfaceDetail& detail, DVec3 step);
 
+/// Returns the side of the square that u and v from 0 to 1 would cover on the surface, as they lie
+/// at this point; 0 where they have no direction.
+/// Units: metres of the world.
+double uv_length(const bvh::SurfaceDetail& detail);
+
 /// How far apart heights are compared, in the world: the width of a pixel, so that what is finer is
 /// averaged; where a point has no width, a tenth of a millimetre or so.
 double bump_width(const TexturePoint& point);
@@ -39,10 +44,10 @@ double bump_width(const TexturePoint& point);
 Vec3 above_surface(DVec3 direction, Vec3 shading_normal, Vec3 surface_normal);
 
 /// Returns how a height changes along the surface, per metre: what a normal loses by the bump.
-/// `height`: of TexturePoint, in metres. It is looked up at four places half a bump_width() around
-/// the point, for central differences.
-/// Source: Blinn 1978, "Simulation of Wrinkled Surfaces"; the gradient on the surface as in
-/// Mikkelsen 2010, "Bump Mapping Unparametrized Surfaces on the GPU", sec. 2.
+/// `height`: of TexturePoint, in metres, or in whatever the result shall be per metre. It is looked
+/// up at four places half a bump_width() around the point, for central differences. Source: Blinn
+/// 1978, "Simulation of Wrinkled Surfaces"; the gradient on the surface as in Mikkelsen 2010, "Bump
+/// Mapping Unparametrized Surfaces on the GPU", sec. 2.
 template <class Height>
 DVec3 bump_gradient(const bvh::SurfaceDetail& detail, const TexturePoint& point,
                     const Height& height) {

@@ -14,9 +14,11 @@ Vec3 material_normal(const scene::Material& material, const bvh::SurfaceDetail& 
         normal = mapped_normal(detail, textures.color(material.normal_map_id, point));
     }
     if (!material.bump_id.is_none()) {
-        normal -= bump_gradient(detail, point, [&](const TexturePoint& at) {
+        const double scale = material.bump_unit == scene::BumpUnit::uv ? uv_length(detail) : 1.0;
+        const DVec3 gradient = bump_gradient(detail, point, [&](const TexturePoint& at) {
             return textures.number(material.bump_id, at);
         });
+        normal -= material.bump_height * scale * gradient;
     }
     return above_surface(normal, detail.shading_normal, surface_normal);
 }

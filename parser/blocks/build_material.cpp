@@ -72,6 +72,8 @@ scene::Material build_material(const PropertyValues& values,
     constexpr std::size_t kEmission = slot(kMaterial, "emission");
     constexpr std::size_t kOpacity = slot(kMaterial, "opacity");
     constexpr std::size_t kBump = slot(kMaterial, "bump");
+    constexpr std::size_t kBumpHeight = slot(kMaterial, "bump_height");
+    constexpr std::size_t kBumpUnit = slot(kMaterial, "bump_unit");
     constexpr std::size_t kNormalMap = slot(kMaterial, "normal_map");
     constexpr std::size_t kTwoSided = slot(kMaterial, "two_sided");
     scene::Material material;
@@ -90,6 +92,8 @@ scene::Material build_material(const PropertyValues& values,
     material.emission = read.color(kEmission);
     material.opacity = read.scalar(kOpacity);
     material.bump_id = values.texture(kBump);
+    material.bump_height = values.number(kBumpHeight);
+    if (values.string(kBumpUnit, "metre") == "uv") material.bump_unit = scene::BumpUnit::uv;
     material.normal_map_id = values.texture(kNormalMap);
     material.two_sided = values.boolean(kTwoSided);
 

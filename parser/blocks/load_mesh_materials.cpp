@@ -38,6 +38,7 @@ class MaterialLoader {
             texture(material.emission_map, Coding::colors),
             texture(material.opacity_map, Coding::numbers),
             texture(material.normal_map, Coding::numbers),
+            texture(material.bump_map, Coding::numbers),
         };
         scene_.materials.push_back(scene::material_of(material, ids, scene_.textures));
         return scene::MaterialId(scene_.materials.size() - 1);

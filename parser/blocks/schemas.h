@@ -13,6 +13,8 @@ inline constexpr std::array<std::string_view, 5> kModels = {"lambert", "phong", 
                                                             "cook_torrance", "ward"};
 inline constexpr std::array<std::string_view, 3> kProjections = {"perspective", "orthographic",
                                                                  "panorama"};
+// In the order of scene::BumpUnit.
+inline constexpr std::array<std::string_view, 2> kBumpUnits = {"metre", "uv"};
 inline constexpr std::array<std::string_view, 2> kUpAxes = {"y", "z"};
 // In the order of scene::TerrainMethod.
 inline constexpr std::array<std::string_view, 3> kTerrainMethods = {"diamond_square", "fbm",
@@ -135,7 +137,7 @@ inline constexpr std::array<PropertySchema, 6> kTerrain = {{
     {"seed", number, "", "which landscape: another number, another one", kAnyNumber, {}, true},
 }};
 
-inline constexpr std::array<PropertySchema, 16> kMaterial = {{
+inline constexpr std::array<PropertySchema, 18> kMaterial = {{
     {"model", option, "\"blinn_phong\"", "the reflection model", kAnyNumber, {}, false, Form::any, kModels},
     or_texture({"ambient", color, "", "reflected ambient light; without it as `diffuse`", kNotNegative}),
     or_texture({"diffuse", color, "0.8", "matt colour; the colour of flat painting", kNotNegative, {0.8, 0.8, 0.8}}),
@@ -149,7 +151,9 @@ inline constexpr std::array<PropertySchema, 16> kMaterial = {{
     or_texture({"absorption", color, "[0, 0, 0]", "lost per metre inside (Beer-Lambert)", kNotNegative}),
     or_texture({"emission", color, "0", "light given off", kNotNegative}),
     or_texture({"opacity", number, "1", "0 cuts out, without refraction", kUnit, {1}}),
-    {"bump", texture, "", "height of the surface along its normal, metres"},
+    {"bump", texture, "", "height of the surface along its normal"},
+    {"bump_height", number, "1", "how high 1 in `bump` is; below 0 it is a hollow", kAnyNumber, {1}},
+    {"bump_unit", option, "\"metre\"", "of `bump_height`; \"uv\": the width of u from 0 to 1", kAnyNumber, {}, false, Form::any, kBumpUnits},
     {"normal_map", texture, "", "normals in tangent space, coded as colours"},
     {"two_sided", boolean, "true", "lit from both sides", kAnyNumber, {1}},
 }};

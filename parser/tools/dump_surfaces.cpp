@@ -199,6 +199,8 @@ std::string DumpSurfaces::material_text(const scene::Material& m, std::size_t be
     color_unless("emission", m.emission, defaults.emission);
     if (!(m.opacity == defaults.opacity)) scalar("opacity", m.opacity);
     if (!m.bump_id.is_none()) block.add("bump", texture(m.bump_id));
+    if (m.bump_height != defaults.bump_height) block.add("bump_height", exact(m.bump_height));
+    if (m.bump_unit == scene::BumpUnit::uv) block.add("bump_unit", "\"uv\"");
     if (!m.normal_map_id.is_none()) block.add("normal_map", texture(m.normal_map_id));
     if (!m.two_sided) block.add("two_sided", m.two_sided);
     return block.definition_text("material", before);

@@ -18,6 +18,9 @@ bool is_mirror(std::uint32_t model) {
 /// Of MTL; below, tools mean "none".
 constexpr float kLeastIor = 0.001f;
 constexpr float kMaxShininess = 10000.0f;
+/// MTL does not say how high white is. This much of the width of a picture is a clear relief, and
+/// the same at any scale of the mesh.
+constexpr double kBumpHeight = 0.01;
 
 }  // namespace
 
@@ -50,6 +53,11 @@ Material material_of(const MtlMaterial& mtl, const MtlTextures& ids,
         material.opacity = solid;
     }
     material.normal_map_id = ids.normal_map_id;
+    if (!ids.bump_id.is_none()) {
+        material.bump_id = ids.bump_id;
+        material.bump_height = kBumpHeight * mtl.bump_map->bump_multiplier;
+        material.bump_unit = BumpUnit::uv;
+    }
     return material;
 }
 

@@ -16,6 +16,7 @@ struct MtlTextures {
     TextureId emission_id{};
     TextureId opacity_id{};
     TextureId normal_map_id{};
+    TextureId bump_id{};
 };
 
 /// Returns the material: Blinn and Phong's, as MTL defines it. A picture takes the place of the

@@ -35,9 +35,8 @@ struct MapOption {
     std::string_view name{};
     std::size_t word_count = 1;
 };
-constexpr std::array<MapOption, 9> kSkippedOptions = {{{"-blendu"},
+constexpr std::array<MapOption, 8> kSkippedOptions = {{{"-blendu"},
                                                        {"-blendv"},
-                                                       {"-bm"},
                                                        {"-boost"},
                                                        {"-cc"},
                                                        {"-imfchan"},
@@ -143,6 +142,7 @@ void MtlReader::read_statement() {
     if (is("map_Ks")) return read_map(material.specular_map);
     if (is("map_Ke")) return read_map(material.emission_map);
     if (is("map_d")) return read_map(material.opacity_map);
+    if (is("map_bump") || is("bump")) return read_map(material.bump_map);
     if (is("norm")) return read_map(material.normal_map);
     const bool is_silent = std::any_of(kSilentKeywords.begin(), kSilentKeywords.end(), is);
     if (!is_silent) skip(keyword);
@@ -250,6 +250,10 @@ bool MtlReader::read_option(MtlMap& map) {
             map.scale = DVec2{1.0};
             break;
         }
+        return true;
+    }
+    if (option == "-bm") {
+        if (const auto multiplier = read_number("1")) map.bump_multiplier = *multiplier;
         return true;
     }
     for (const MapOption& skipped : kSkippedOptions) {

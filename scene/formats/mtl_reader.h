@@ -20,6 +20,7 @@ struct MtlMap {
     bool is_clamped = false;
     DVec2 scale{1.0};  // of uv: a picture at `scale * uv + offset`
     DVec2 offset{0.0};
+    double bump_multiplier = 1.0;  // -bm
 };
 
 /// What `newmtl` and the statements after it say; empty where there is none.
@@ -40,6 +41,7 @@ struct MtlMaterial {
     std::optional<MtlMap> emission_map{};
     std::optional<MtlMap> opacity_map{};  // map_d
     std::optional<MtlMap> normal_map{};   // norm
+    std::optional<MtlMap> bump_map{};     // map_bump, bump
 };
 
 /// Returns the materials of an MTL file held in `sources` whose names are wanted, each at its

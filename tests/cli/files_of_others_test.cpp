@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "tests/cli/lray_test.h"
 
 namespace lray {
@@ -34,6 +36,49 @@ TEST_F(FilesOfOthers, MistakeInAMeshIsToldAtItsLineAndWhereItIsLoaded) {
     const auto syntax = run({"scene.lrs", "-o", "a.ppm"});
     EXPECT_EQ(syntax.exit_code, 1);
     EXPECT_TRUE(contains(syntax.err, "models/bunny.obj:812:7: error[E0701]")) << syntax.err;
+}
+
+/// A square with dents, in light from the side.
+std::string bump_scene(const std::string& mesh, double scale) {
+    return fmt::format(
+        "render {{ resolution: [64, 48], samples: 4 }}\n"
+        "camera {{ position: [0, {0}, {1}], look_at: [0, 0, 0] }}\n"
+        "point_light {{ position: [{1}, {0}, {0}], falloff: \"none\", intensity: 9 }}\n"
+        "group {{ scale: {2}, {3} }}\n",
+        scale, 3 * scale, scale, mesh);
+}
+
+TEST_F(FilesOfOthers, BumpsOfMtlAreThoseOfTheLanguage) {
+    directory_.write("dents.ppm",
+                     "P3 4 2 255\n0 0 0 255 255 255 90 90 90 255 255 255\n"
+                     "200 200 200 0 0 0 255 255 255 10 10 10\n");
+    directory_.write("flat.mtl", "newmtl wall\nKd 0.8\nillum 1\n");
+    directory_.write("dents.mtl", "newmtl wall\nKd 0.8\nillum 1\nmap_Bump -bm 2 dents.ppm\n");
+    const std::string square =
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+        "usemtl wall\nf 1/1 2/2 3/3 4/4\n";
+    for (const std::string name : {"flat", "dents"}) {
+        directory_.write(name + ".obj", "mtllib " + name + ".mtl\n" + square);
+    }
+    const std::string by_hand =
+        "mesh { file: \"flat.obj\", material { model: \"blinn_phong\", specular: 0, diffuse: 0.8,\n"
+        "  bump: image { file: \"dents.ppm\", srgb: false }\n"
+        "  bump_height: 0.02, bump_unit: \"uv\" } }";
+    const auto rendered = [&](const std::string& mesh, double scale) {
+        directory_.write("scene.lrs", bump_scene(mesh, scale));
+        const auto result = run({"scene.lrs", "-o", "a.ppm"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return directory_.read("a.ppm");
+    };
+    const std::string bumped = rendered("mesh { file: \"dents.obj\" }", 1.0);
+    EXPECT_EQ(bumped, rendered(by_hand, 1.0));
+    EXPECT_NE(bumped, rendered("mesh { file: \"flat.obj\" }", 1.0));
+    // As deep as before beside its size.
+    EXPECT_EQ(bumped, rendered("mesh { file: \"dents.obj\" }", 0x1p-10));
+    EXPECT_EQ(bumped, rendered("mesh { file: \"dents.obj\" }", 0x1p10));
+    EXPECT_EQ(run({"--dump", "scene.lrs", "-o", "dumped.lrs"}).exit_code, 0);
+    EXPECT_EQ(run({"dumped.lrs", "-o", "dumped.ppm"}).exit_code, 0);
+    EXPECT_EQ(directory_.read("dumped.ppm"), bumped);
 }
 
 TEST_F(FilesOfOthers, NffIsAScene) {

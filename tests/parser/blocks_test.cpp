@@ -167,7 +167,8 @@ TEST(Materials, EveryCoefficientTakesATexture) {
     const scene::Scene scene = right(
         "let t = checker { a: 1, b: 0.5 }\n"
         "let m = material { ambient: t, diffuse: t, specular: t, shininess: t, reflect: t, "
-        "transmit: t, absorption: t, emission: t, opacity: t, bump: t, normal_map: t }\n"
+        "transmit: t, absorption: t, emission: t, opacity: t, bump: t, bump_height: -0.25, "
+        "bump_unit: \"uv\", normal_map: t }\n"
         "let n = material { model: \"ward\", roughness: t, fresnel: t }\n"
         "let o = m { diffuse: 0.25 }");
     const scene::TextureId id(0u);
@@ -180,6 +181,10 @@ TEST(Materials, EveryCoefficientTakesATexture) {
     EXPECT_EQ(m.shininess, scene::ScalarCoefficient(0.75f, id));
     EXPECT_EQ(m.opacity, scene::ScalarCoefficient(0.75f, id));
     EXPECT_EQ(m.bump_id, id);
+    EXPECT_EQ(m.bump_height, -0.25);
+    EXPECT_EQ(m.bump_unit, scene::BumpUnit::uv);
+    EXPECT_EQ(scene.materials[1].bump_height, 1.0);
+    EXPECT_EQ(scene.materials[1].bump_unit, scene::BumpUnit::metre);
     EXPECT_EQ(m.normal_map_id, id);
     EXPECT_EQ(scene.materials[1].roughness, scene::PlanarCoefficient(Vec2(0.75f), id));
     EXPECT_EQ(scene.materials[1].fresnel.texture_id, id);

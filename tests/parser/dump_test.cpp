@@ -99,7 +99,7 @@ component tower(height = 3) {
 for i in range(n) {
   tower { height: 2 + i % 2, rotate_y: 31 * i, scale: 0.9, translate: [i * 1.3, 0, -i], material: red }
 }
-tower { sphere { material { diffuse: stone, bump: checker { size: 0.1 } } } torus { scale: [1, 2, 1] } }
+tower { sphere { material { diffuse: stone, bump: checker { size: 0.1 }, bump_height: -1 / 3, bump_unit: "uv" } } torus { scale: [1, 2, 1] } }
 let ball = sphere { radius: 1 / 3 }
 let pair = group { ball { translate: [0, 1, 0] } ball { translate: [1, 0, 0], scale: [-1, 1, 1] } }
 pair { rotate: [1, 2, 3], visible: false }

@@ -101,6 +101,7 @@ class WorldWriter {
         add_coefficient(m.opacity);
         add_coefficient(m.roughness);
         add_texture(m.bump_id);
+        out_.add_all(m.bump_height, static_cast<std::uint32_t>(m.bump_unit));
         add_texture(m.normal_map_id);
     }
     void add_texture(scene::TextureId id) {

@@ -66,6 +66,10 @@ TEST(ObjectSpace, IsKeptForEverythingThatDependsOnIt) {
     };
     expect_kept([](Material& material, TextureId id) { material.bump_id = id; });
     expect_kept([](Material& material, TextureId id) { material.normal_map_id = id; });
+    expect_kept([](Material& material, TextureId id) {
+        material.bump_id = id;
+        material.bump_unit = BumpUnit::uv;
+    });
     expect_kept([](Material& material, TextureId id) { material.opacity.texture_id = id; });
     expect_kept([](Material& material, TextureId id) {
         material.ambient = Coefficient{Color{0.5f}, id};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace lray::shade {
 namespace {
@@ -60,6 +61,30 @@ TEST(Bump, SlopeInUvIsThatOfItsDirections) {
     skewed.dp_dv = {0.5f, 0, -0.5f};
     expect_direction(bumped(skewed, {}, along_u), {-2, 1, -2});
     expect_direction(bumped(skewed, {}, along_v), {0, 1, 2});
+}
+
+TEST(Bump, InUnitsOfUvItIsTheSameAtAnySize) {
+    const auto height = [](const TexturePoint& at) {
+        return static_cast<float>(0.5 * at.uv.x - at.uv.y);
+    };
+    for (const float scale : {1.0f, 0x1p-20f, 0x1p20f}) {
+        bvh::SurfaceDetail detail = floor_detail();
+        detail.dp_du *= scale;
+        detail.dp_dv *= scale;
+        EXPECT_EQ(uv_length(detail), 0.5 * static_cast<double>(scale));
+        TexturePoint point;
+        point.world_width = 0x1p-13 * static_cast<double>(scale);
+        const DVec3 gradient = uv_length(detail) * bump_gradient(detail, point, height);
+        EXPECT_NEAR(glm::length(gradient - DVec3(0.5, 0, 1)), 0.0, 1e-3) << scale;
+    }
+}
+
+TEST(Bump, UvWithoutDirectionHasNoLength) {
+    bvh::SurfaceDetail detail = floor_detail();
+    detail.dp_dv = 3.0f * detail.dp_du;
+    EXPECT_EQ(uv_length(detail), 0.0);
+    detail.dp_dv = Vec3{std::numeric_limits<float>::infinity()};
+    EXPECT_EQ(uv_length(detail), 0.0);
 }
 
 TEST(Bump, OfSolidTexturesNeedsNoDirectionOfUv) {

@@ -74,8 +74,9 @@ TEST(ReadMtl, OnlyWantedMaterialsAreKeptAtTheirFirstDefinition) {
 
 TEST(ReadMtl, MapsHaveOptionsAndNamesWithBlanks) {
     const MtlMaterial m = read(
-        "map_Kd -blendu on -s 2 4 1 -o 0.5 -0.25 -clamp on -mm 0 1 -bm 0.5 my  wood.png \n"
-        "map_d 1.png\nmap_Ks -s 3 -x.png\nnorm n.png\nmap_Ke -imfchan r e#1.png");
+        "map_Kd -blendu on -s 2 4 1 -o 0.5 -0.25 -clamp on -mm 0 1 -texres 64 my  wood.png \n"
+        "map_d 1.png\nmap_Ks -s 3 -x.png\nnorm n.png\nBUMP -s 2 -bm -0.5 b.png\nmap_Ke -imfchan r "
+        "e#1.png");
     ASSERT_TRUE(m.diffuse_map && m.specular_map && m.emission_map && m.opacity_map && m.normal_map);
     EXPECT_EQ(m.diffuse_map->file, "my  wood.png");
     EXPECT_EQ(m.diffuse_map->scale, DVec2(2, 4));
@@ -85,6 +86,11 @@ TEST(ReadMtl, MapsHaveOptionsAndNamesWithBlanks) {
     EXPECT_EQ(m.specular_map->file, "-x.png");
     EXPECT_EQ(m.specular_map->scale, DVec2(3, 1));
     EXPECT_EQ(m.emission_map->file, "e#1.png");
+    ASSERT_TRUE(m.bump_map);
+    EXPECT_EQ(m.bump_map->file, "b.png");
+    EXPECT_EQ(m.bump_map->scale, DVec2(2, 1));
+    EXPECT_EQ(m.bump_map->bump_multiplier, -0.5);
+    EXPECT_EQ(read("map_bump b.png").bump_map->bump_multiplier, 1.0);
     // uv of the middle of the picture.
     const DVec3 uv = uv_from_picture(*m.diffuse_map).point(DVec3(0.5, 0.5, 0));
     EXPECT_EQ(uv, DVec3(0, 0.1875, 0));
@@ -92,9 +98,9 @@ TEST(ReadMtl, MapsHaveOptionsAndNamesWithBlanks) {
 
 TEST(ReadMtl, WhatIsNotReadIsToldOnce) {
     const MtlReading reading(
-        "newmtl m\nmap_bump b.png\nPr 0.5\nPr 0.6\nKd xyz 1 1 1\nmap_Ka a.png\nsharpness 60\n");
+        "newmtl m\nmap_Ns b.png\nPr 0.5\nPr 0.6\nKd xyz 1 1 1\nmap_Ka a.png\nsharpness 60\n");
     ASSERT_TRUE(reading.materials);
-    EXPECT_EQ(reading.told(), "2:1 `map_bump` not read of this file: `map_bump`, `Pr`, `Kd`\n");
+    EXPECT_EQ(reading.told(), "2:1 `map_Ns` not read of this file: `map_Ns`, `Pr`, `Kd`\n");
 }
 
 TEST(ReadMtl, MistakesAreToldAtTheirPlace) {
@@ -111,6 +117,7 @@ TEST(ReadMtl, MistakesAreToldAtTheirPlace) {
         {"newmtl m\nmap_Kd -s 0 a.png\n",
          "2:8 `-s 0` the scale of a picture must be from 1e-9 to 1e9\n"},
         {"newmtl m\nmap_Kd -o a.png\n", "2:11 `a.png` expected a number, found `a.png`\n"},
+        {"newmtl m\nbump -bm a.png\n", "2:10 `a.png` expected a number, found `a.png`\n"},
     };
     for (const auto& [text, expected] : cases) {
         const MtlReading reading(text);
@@ -168,6 +175,17 @@ TEST(MaterialOfMtl, PicturesTakeThePlaceOfNumbers) {
     const Material m = material_of(read("Kd 0.1\nd 0.5"), ids, textures);
     EXPECT_EQ(m.diffuse, Coefficient((Color{0.5f, 0.25f, 0.75f}), TextureId(0u)));
     EXPECT_EQ(m.opacity, ScalarCoefficient(0.5f, TextureId(1u)));
+    EXPECT_TRUE(m.bump_id.is_none());
+}
+
+TEST(MaterialOfMtl, BumpsAreInPartsOfTheirPicture) {
+    const std::vector<Texture> textures(1);
+    MtlTextures ids;
+    ids.bump_id = TextureId(0u);
+    const Material m = material_of(read("bump -bm 2.5 b.png"), ids, textures);
+    EXPECT_EQ(m.bump_id, TextureId(0u));
+    EXPECT_EQ(m.bump_height, 0.025);
+    EXPECT_EQ(m.bump_unit, BumpUnit::uv);
 }
 
 }  // namespace

@@ -25,18 +25,22 @@ namespace lray::import {
 
 namespace {
 
-bool limit(int resource, std::uint64_t most) {
+/// `grace`: how much more there is behind the signal of the limit, if it has one.
+bool limit(int resource, std::uint64_t most, std::uint64_t grace = 0) {
     rlimit now{};
     if (getrlimit(static_cast<__rlimit_resource_t>(resource), &now) != 0) return false;
-    const rlim_t value = std::min<rlim_t>(most, now.rlim_max);
-    const rlimit both{value, value};
-    return setrlimit(static_cast<__rlimit_resource_t>(resource), &both) == 0;
+    const rlimit limits{std::min<rlim_t>(most, now.rlim_max),
+                        std::min<rlim_t>(most + grace, now.rlim_max)};
+    return setrlimit(static_cast<__rlimit_resource_t>(resource), &limits) == 0;
 }
 
 bool set_limits(std::uint64_t max_bytes, std::uint64_t max_seconds) {
     const bool is_memory_limited = kReservesTerabytes || limit(RLIMIT_AS, max_bytes);
-    return is_memory_limited && limit(RLIMIT_CPU, max_seconds) && limit(RLIMIT_FSIZE, 0) &&
-           limit(RLIMIT_NOFILE, 0) && limit(RLIMIT_CORE, 0) && limit(RLIMIT_NPROC, 0);
+    // At the harder limit the kernel kills, which would look like a crash: SIGXCPU comes first.
+    constexpr std::uint64_t kGraceSeconds = 1;
+    return is_memory_limited && limit(RLIMIT_CPU, max_seconds, kGraceSeconds) &&
+           limit(RLIMIT_FSIZE, 0) && limit(RLIMIT_NOFILE, 0) && limit(RLIMIT_CORE, 0) &&
+           limit(RLIMIT_NPROC, 0);
 }
 
 /// Closes all but the standard streams.

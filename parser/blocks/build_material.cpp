@@ -12,11 +12,15 @@ namespace {
 
 using namespace schemas;
 
-scene::ReflectionModel model_of(std::string_view name) {
-    const auto found = std::find(kModels.begin(), kModels.end(), name);
-    LRAY_ASSERT(found != kModels.end());
-    return static_cast<scene::ReflectionModel>(found - kModels.begin());
+/// Returns the value whose name stands at its place in the list.
+template <class Value, class Names>
+Value in_order(const Names& names, std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    LRAY_ASSERT(found != names.end());
+    return static_cast<Value>(found - names.begin());
 }
+static_assert(kBumpUnits[static_cast<std::size_t>(scene::BumpUnit::metre)] == "metre");
+static_assert(kBumpUnits[static_cast<std::size_t>(scene::BumpUnit::uv)] == "uv");
 static_assert(kModels[static_cast<std::size_t>(scene::ReflectionModel::lambert)] == "lambert");
 static_assert(kModels[static_cast<std::size_t>(scene::ReflectionModel::phong)] == "phong");
 static_assert(kModels[static_cast<std::size_t>(scene::ReflectionModel::blinn_phong)] ==
@@ -77,7 +81,8 @@ scene::Material build_material(const PropertyValues& values,
     constexpr std::size_t kNormalMap = slot(kMaterial, "normal_map");
     constexpr std::size_t kTwoSided = slot(kMaterial, "two_sided");
     scene::Material material;
-    material.model = model_of(values.string(kModel, "blinn_phong"));
+    material.model =
+        in_order<scene::ReflectionModel>(kModels, values.string(kModel, "blinn_phong"));
     const CoefficientReader read{values, textures};
     if (values.has(kAmbient)) material.ambient = read.color(kAmbient);
     material.diffuse = read.color(kDiffuse);
@@ -93,7 +98,7 @@ scene::Material build_material(const PropertyValues& values,
     material.opacity = read.scalar(kOpacity);
     material.bump_id = values.texture(kBump);
     material.bump_height = values.number(kBumpHeight);
-    if (values.string(kBumpUnit, "metre") == "uv") material.bump_unit = scene::BumpUnit::uv;
+    material.bump_unit = in_order<scene::BumpUnit>(kBumpUnits, values.string(kBumpUnit, "metre"));
     material.normal_map_id = values.texture(kNormalMap);
     material.two_sided = values.boolean(kTwoSided);
 

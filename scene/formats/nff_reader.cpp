@@ -292,8 +292,9 @@ void StatementReader::polygon() {
         corners_.push_back(text_.point());
         if (has_normals) normals_.push_back(text_.point());
     }
-    if (!text_.is_wrong() && has_fill())
+    if (!text_.is_wrong() && has_fill()) {
         collector_.add_polygon(corners_, normals_, text_.statement_span());
+    }
 }
 
 std::size_t StatementReader::corner_count(std::size_t numbers_of_corner) {

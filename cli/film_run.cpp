@@ -48,9 +48,9 @@ void warn_unsaved(const std::string& path, const std::string& error) {
     print_warning(fmt::format("the state `{}` could not be saved: {}", path, error));
 }
 
-/// Why a state is not one to go on with; empty if it is.
+/// Why a state is not one to go on with; empty if it is. `film`: what there would be without it.
 std::string why_another(const render::StoredFilm& stored,
-                        const render::FilmDescription& description,
+                        const render::FilmDescription& description, const render::Film& film,
                         const render::SampleRange& samples) {
     const std::string difference =
         render::first_difference(description.identity, stored.description.identity);
@@ -59,6 +59,12 @@ std::string why_another(const render::StoredFilm& stored,
     if (there.size() != 1 || there.front().begin != samples.begin) {
         return fmt::format("is of the samples from {} on, not from {}", there.front().begin,
                            samples.begin);
+    }
+    // The identity says so too, but it is a text: what it says is not taken on trust.
+    if (!stored.film.pixels().empty() &&
+        (stored.film.width() != film.width() || stored.film.height() != film.height() ||
+         stored.film.keeps() != film.keeps())) {
+        return "is of another picture: they differ in size";
     }
     std::uint32_t most = 0;
     for (const auto& pixel : stored.film.pixels()) most = std::max(most, pixel.sample_count);
@@ -132,7 +138,7 @@ std::variant<FilmRun, Failure> FilmRun::begin(const Options& options, const View
                 "remove it to begin anew"};
         }
         auto& stored = std::get<render::StoredFilm>(read);
-        const std::string why = why_another(stored, run.description_, render_options.samples);
+        const std::string why = why_another(stored, run.description_, film, render_options.samples);
         if (!why.empty()) {
             return Failure{ExitCode::usage, fmt::format("the state `{}` {}", run.state_path_, why),
                            "remove it to begin anew, or give the output another name"};

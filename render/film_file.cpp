@@ -286,6 +286,10 @@ std::optional<StoredFilm> read_film(std::span<const std::byte> file, std::uint64
                             head->height, max_pixels);
         return std::nullopt;
     }
+    if ((head->width == 0) != (head->height == 0)) {
+        error = fmt::format("{} x {} pixels are no picture", head->width, head->height);
+        return std::nullopt;
+    }
     if (head->description.samples.empty()) {
         error = "this film says nothing of its samples";
         return std::nullopt;

@@ -51,6 +51,10 @@ std::optional<StoredFilm> merge_films(std::span<const NamedFilm> films, std::str
     std::vector<Stretch> stretches;
     std::uint64_t sample_count = 0;
     for (const NamedFilm& film : films) {
+        if (film.stored.film.pixels().empty()) {
+            error = fmt::format("`{}` holds no pixels, it notes that a frame is done", film.name);
+            return std::nullopt;
+        }
         error = why_not_one_picture(films.front(), film);
         if (!error.empty()) return std::nullopt;
         if (!film.stored.description.is_complete) {

@@ -18,7 +18,7 @@ struct NamedFilm {
 /// is said beside the samples is that of the first film.
 /// Shape: one film or more.
 /// Errors: empty, and `error` tells why in words: films of other pictures, that share samples, that
-/// are not complete, or that have too many together.
+/// hold no pixels or are not complete, or that have too many together.
 std::optional<StoredFilm> merge_films(std::span<const NamedFilm> films, std::string& error);
 
 /// Returns the samples that a film lacks of 0 up to its total, or if that is not known up to its

@@ -5,10 +5,13 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "base/output_file.h"
+#include "render/film_file.h"
 #include "tests/cli/lray_test.h"
 
 namespace lray {
@@ -139,6 +142,25 @@ TEST_F(Resume, ADamagedStateIsRefused) {
     EXPECT_EQ(result.err,
               "lray: the state `image.png.state` cannot be used: this film is damaged\n"
               "  remove it to begin anew\n");
+}
+
+TEST_F(Resume, AFilmOfAnotherSizeIsRefusedWhateverItSaysOfItself) {
+    directory_.write("scene.lrs", kScene);
+    ASSERT_EQ(run({"scene.lrs", "-o", "a.film", "-ps", "2"}).exit_code, 0);
+    const std::string bytes = directory_.read("a.film");
+    std::string error;
+    const auto stored = render::read_film(std::as_bytes(std::span(bytes)), 10'000, error);
+    ASSERT_TRUE(stored) << error;
+    for (const render::Film& film :
+         {render::Film(3, 3), render::Film(64, 48, render::Film::Keeps::squares)}) {
+        auto out = OutputFile::open(directory_.path("image.png.state"), error);
+        ASSERT_TRUE(out && render::write_film(*out, stored->description, film) && out->commit());
+        const auto result = run({"scene.lrs", "-o", "image.png", "-ps", "2", "--resume"});
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_EQ(result.err,
+                  "lray: the state `image.png.state` is of another picture: they differ in size\n"
+                  "  remove it to begin anew, or give the output another name\n");
+    }
 }
 
 TEST_F(Resume, FewerSamplesThanThereAreRefused) {

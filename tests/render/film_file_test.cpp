@@ -158,6 +158,8 @@ TEST(FilmFile, SaysWhatIsWrong) {
     EXPECT_EQ(error_of(with("size 7 5", "size 100 11")),
               "100 x 11 pixels are more than the limit of 1000");
     EXPECT_EQ(error_of(with("size 7 5", "size 7 6")), "this film ends early, or late");
+    EXPECT_EQ(error_of(with("size 7 5", "size 7 0")), "7 x 0 pixels are no picture");
+    EXPECT_EQ(error_of(with("size 7 5", "size 0 5")), "0 x 5 pixels are no picture");
     EXPECT_EQ(error_of(with("size 7 5", "size 99999999999 99999999999")),
               "99999999999 x 99999999999 pixels are more than the limit of 1000");
     EXPECT_EQ(error_of(with("size 7 5", "size 7,5")), "line 2 of this film is damaged");
@@ -243,6 +245,14 @@ TEST_F(MergeFilms, AnUnfinishedFilmIsRefused) {
     auto films = films_of({{0, 8}, {8, 16}});
     films[1].stored.description.is_complete = false;
     EXPECT_EQ(error_of(films), "`b.film` is not complete: its render was interrupted");
+}
+
+TEST_F(MergeFilms, AFilmWithoutPixelsIsRefused) {
+    auto films = films_of({{0, 8}, {8, 16}});
+    films[0].stored.film = Film(0, 0);
+    EXPECT_EQ(error_of(films), "`a.film` holds no pixels, it notes that a frame is done");
+    films[1].stored.film = Film(0, 0);
+    EXPECT_EQ(error_of({films[1]}), "`b.film` holds no pixels, it notes that a frame is done");
 }
 
 TEST_F(MergeFilms, TooManySamplesAreRefused) {

@@ -61,18 +61,36 @@ std::string why_another(const render::StoredFilm& stored,
                            samples.begin);
     }
     // The identity says so too, but it is a text: what it says is not taken on trust.
-    if (!stored.film.pixels().empty() &&
+    const bool has_pixels = !stored.film.pixels().empty();
+    if (has_pixels &&
         (stored.film.width() != film.width() || stored.film.height() != film.height() ||
          stored.film.keeps() != film.keeps())) {
         return "is of another picture: they differ in size";
     }
-    std::uint32_t most = 0;
+    std::uint32_t most = has_pixels ? 0 : there.front().count();
     for (const auto& pixel : stored.film.pixels()) most = std::max(most, pixel.sample_count);
     if (most > samples.count()) {
         return fmt::format("has {} samples of some pixels already, more than the {} asked for",
                            most, samples.count());
     }
     return {};
+}
+
+/// What notes that a frame is done. Of the same picture there may be other files.
+render::FilmDescription note_of(render::FilmDescription description, const Options& options) {
+    const image::WriteSettings usual;
+    description.info.emplace_back(
+        "file", fmt::format("{} {} {}",
+                            options.is_film ? "film" : image::format_name(options.format.value()),
+                            static_cast<int>(options.png_bits.value_or(usual.png_bits)),
+                            options.jpeg_quality.value_or(usual.jpeg_quality)));
+    return description;
+}
+
+/// True if what was noted of a frame would be noted again.
+bool is_of_same_file(const render::FilmDescription& a, const render::FilmDescription& b) {
+    return a.samples == b.samples && a.total == b.total && a.display == b.display &&
+           a.info == b.info;
 }
 
 /// Where time or noise ends the render it is not known how much is left.
@@ -128,6 +146,7 @@ std::variant<FilmRun, Failure> FilmRun::begin(const Options& options, const View
         return run;
     }
     run.state_path_ = state_path(options.output_path);
+    run.note_ = note_of(run.description_, options);
     run.is_one_of_several_ = !options.frame_label.empty();
     if (is_there(run.state_path_)) {
         auto read = read_film_file(run.state_path_, options.max_output_pixels);
@@ -144,7 +163,8 @@ std::variant<FilmRun, Failure> FilmRun::begin(const Options& options, const View
                            "remove it to begin anew, or give the output another name"};
         }
         const bool has_pixels = stored.film.width() != 0;
-        run.is_done_ = !has_pixels && is_there(options.output_path);
+        run.is_done_ = !has_pixels && is_there(options.output_path) &&
+                       is_of_same_file(stored.description, run.note_);
         if (has_pixels) {
             film = std::move(stored.film);
             if (!options.quiet) tell_going_on(run.state_path_, film, render_options);
@@ -172,18 +192,18 @@ std::optional<Failure> FilmRun::write(OutputFile output) const {
 
 void FilmRun::end(const render::RenderResult& result, ExitCode exit_code) const {
     if (state_path_.empty()) return;
-    render::FilmDescription description = description_;
     if (exit_code == ExitCode::done && result.has_all_samples) {
         if (!is_one_of_several_) {
             std::remove(state_path_.c_str());
             return;
         }
-        const std::string error = save_state(state_path_, description, render::Film(0, 0));
+        const std::string error = save_state(state_path_, note_, render::Film(0, 0));
         if (!error.empty()) warn_unsaved(state_path_, error);
         return;
     }
-    description.is_complete = false;
-    const std::string error = save_state(state_path_, description, kept_->film());
+    render::FilmDescription unfinished = description_;
+    unfinished.is_complete = false;
+    const std::string error = save_state(state_path_, unfinished, kept_->film());
     if (!error.empty()) return warn_unsaved(state_path_, error);
     print_note(fmt::format("the same command goes on from `{}`", state_path_));
 }

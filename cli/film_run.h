@@ -38,7 +38,8 @@ class FilmRun {
     /// For render(); none if no film is kept.
     render::KeptFilm* kept() const { return kept_.get(); }
 
-    /// True if an earlier run has written this picture, one of several frames.
+    /// True if an earlier run has written this picture, one of several frames, with as many
+    /// samples, for the same display and in the same kind of file.
     bool is_done() const { return is_done_; }
 
     /// Writes the film as what the render asked for. Empty when it is in its file.
@@ -50,7 +51,8 @@ class FilmRun {
 
  private:
     render::FilmDescription description_{};
-    std::string state_path_{};  // empty: without --resume
+    render::FilmDescription note_{};  // that a frame is done
+    std::string state_path_{};        // empty: without --resume
     bool is_one_of_several_ = false;
     bool is_done_ = false;
     std::unique_ptr<render::KeptFilm> kept_{};

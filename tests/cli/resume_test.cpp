@@ -205,6 +205,37 @@ TEST_F(Resume, FramesThatAreDoneAreNotRenderedAgain) {
                                                             "out-2.png", "scene.lrs"}));
 }
 
+TEST_F(Resume, AFrameThatIsDoneOtherwiseIsRenderedAnew) {
+    const std::string scene = std::string(kScene) +
+                              "animation { frames: 2 }\n"
+                              "if frame == 1 { mesh { file: \"late.obj\" } }\n";
+    std::string brighter = scene;
+    brighter.replace(brighter.find("render {"), 8, "render { exposure: 1,");
+    const auto resume = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"scene.lrs", "-o",  "out-#.png",
+                                           "--frames",  "0:1", "--resume"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments);
+    };
+    const auto expect_anew = [&](std::vector<std::string> more) {
+        directory_.write("out-0.png", "of the run before");
+        EXPECT_EQ(resume(more).exit_code, 1) << "frame 1 lacks its mesh";
+        more.insert(more.end(), {"scene.lrs", "-o", "whole.png", "--frame", "0"});
+        EXPECT_EQ(run(more).exit_code, 0);
+        EXPECT_TRUE(directory_.read("out-0.png") == directory_.read("whole.png")) << more.front();
+    };
+    directory_.write("scene.lrs", scene);
+    EXPECT_EQ(resume({"-ps", "2"}).exit_code, 1);
+    expect_anew({"-ps", "3"});
+    expect_anew({"-ps", "3", "--png-bits", "16"});
+    directory_.write("scene.lrs", brighter);
+    expect_anew({"-ps", "3"});
+    const auto fewer = resume({"-ps", "2"});
+    EXPECT_EQ(fewer.exit_code, 2);
+    EXPECT_TRUE(contains(fewer.err, "has 3 samples of some pixels already, more than the 2"))
+        << fewer.err;
+}
+
 TEST_F(Resume, StdoutIsAUsageError) {
     const auto result = run({"scene.lrs", "-o", "-", "--resume"});
     EXPECT_EQ(result.exit_code, 2);

@@ -152,7 +152,7 @@ ReadResult FileAccess::read_main(std::string_view path, std::uint64_t max_size) 
 
 ReadResult FileAccess::read(std::string_view path, std::string_view from_directory,
                             std::uint64_t max_size, const std::set<std::string>& known) {
-    const ReadLimits limits{max_size, known};
+    const ReadLimits limits{std::min<std::uint64_t>(max_size, Sources::kMaxTextSize), known};
     ReadResult result;
     std::string written(path);
     result.used_backslash = written.find('\\') != std::string::npos;

@@ -68,7 +68,7 @@ class FileAccess {
 
     /// Reads the main file, named by the user on the command line: any place, "-" is stdin (shown
     /// as "<stdin>"). Its directory becomes allowed; of what is not a regular file (stdin, FIFOs
-    /// and devices are accepted here), the current one.
+    /// and devices are accepted here), the current one. It may be larger than a source: films are.
     ReadResult read_main(std::string_view path, std::uint64_t max_size);
 
     /// Reads a file named inside another: relative to `from_directory`, then to each searched

@@ -40,7 +40,8 @@ ReadAll read_growing(int fd, std::uint64_t expected_size, std::uint64_t max_size
 }  // namespace
 
 ReadAll read_all(int fd, std::uint64_t expected_size, std::uint64_t max_size) {
-    max_size = std::min<std::uint64_t>(max_size, Sources::kMaxTextSize);
+    constexpr std::uint64_t kMostDoubled = std::uint64_t{1} << 62;  // sizes stay below 2^64
+    max_size = std::min(max_size, kMostDoubled);
     if (expected_size > max_size) return {std::nullopt, true, 0};
     return read_growing(fd, expected_size, max_size);
 }

@@ -40,8 +40,9 @@ std::string_view other_picture_format(std::string_view path) {
 }  // namespace
 
 std::optional<SourceId> FileLoader::main_scene(std::string_view path) {
+    const auto most = std::min<std::uint64_t>(scene_limit_.bytes, Sources::kMaxTextSize);
     const std::optional<Found> found =
-        add(files_.read_main(path, scene_limit_.bytes), {path, Span{}, Span{}, scene_limit_});
+        add(files_.read_main(path, most), {path, Span{}, Span{}, scene_limit_});
     if (!found) return std::nullopt;
     main_directory_ = absolute_path(directories_[*found->id]);
     return found->id;

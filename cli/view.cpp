@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "image/write.h"
 #include "render/film.h"
 #include "render/fit_camera.h"
 #include "scene/lit.h"
@@ -54,6 +55,16 @@ std::optional<Failure> check_size(const View& view, const Options& options) {
             fmt::format("the picture would have {} pixels; the limit is {}", view.pixel_count(),
                         options.max_output_pixels),
             "raise it with `--max-output-pixels N`, or render a part with `--crop X0,Y0,X1,Y1`"};
+    }
+    const render::PixelRect area = options.crop.value_or(render::PixelRect{0, 0, width, height});
+    const std::uint32_t side = std::max(area.width(), area.height());
+    const auto most = options.format ? image::max_side(*options.format) : std::nullopt;
+    if (most && side > *most) {
+        return Failure{ExitCode::usage,
+                       fmt::format("the picture would have a side of {} pixels; the most of the "
+                                   "format {} is {}",
+                                   side, image::format_name(*options.format), *most),
+                       "choose another format, or render a part with `--crop X0,Y0,X1,Y1`"};
     }
     return std::nullopt;
 }

@@ -33,6 +33,7 @@ constexpr int kUsualScans = 16;
 constexpr std::size_t kBatchSize = std::size_t{1} << 16;  // bytes handed to the file at a time
 constexpr std::size_t kMaxCommentSize = 65533;            // the length field counts itself
 constexpr int kSharpColorQuality = 90;
+static_assert(kMaxJpegSide == JPEG_MAX_DIMENSION);
 
 /// The first error that was reported; of fixed size, so that no destructor is jumped over.
 struct Failure {

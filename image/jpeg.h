@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,8 @@
 #include "image/write.h"
 
 namespace lray::image {
+
+inline constexpr std::uint32_t kMaxJpegSide = 65500;
 
 /// Writes the picture in a JFIF file, the metadata as comments ("title: A room"). From a
 /// quality of 90 on colours are as sharp as brightness, below half as sharp. No time is stored.

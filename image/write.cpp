@@ -50,6 +50,11 @@ bool holds_light(Format format) {
     return format == Format::pfm || format == Format::exr;
 }
 
+std::optional<std::uint32_t> max_side(Format format) {
+    if (format == Format::jpg) return kMaxJpegSide;
+    return std::nullopt;
+}
+
 bool is_built(Format format) {
     return format != Format::exr || is_exr_built();
 }

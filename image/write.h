@@ -29,6 +29,10 @@ std::string_view format_name(Format format);
 /// True for formats that hold the light itself, as floats, without exposure and tone map.
 bool holds_light(Format format);
 
+/// Returns how many pixels wide and high a picture of that format may be; empty if there is more
+/// room than pixels.
+std::optional<std::uint32_t> max_side(Format format);
+
 /// False for a format whose library lray was built without.
 bool is_built(Format format);
 

@@ -174,6 +174,21 @@ TEST(ChooseView, PixelLimitHoldsForWhatIsWritten) {
     EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 10'000u);
 }
 
+TEST(ChooseView, WhatTheFormatCannotHoldIsToldBeforeItIsRendered) {
+    Options options;
+    options.size = scene::Resolution{2, 65'501};
+    options.format = image::Format::jpg;
+    const Failure failure = refused(scene_with_cameras(), options);
+    EXPECT_EQ(failure.exit_code, ExitCode::usage);
+    EXPECT_EQ(failure.message,
+              "the picture would have a side of 65501 pixels; the most of the format jpg is 65500");
+    options.crop = render::PixelRect{0, 1, 2, 65'501};
+    EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 131'000u);
+    options.crop.reset();
+    options.format = image::Format::png;
+    EXPECT_EQ(chosen(scene_with_cameras(), options).pixel_count(), 131'002u);
+}
+
 TEST(ChooseView, WithLimitsTheCapIsTheMaximumUnlessGiven) {
     using Range = render::SampleRange;
     Options options;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string_view>
 
@@ -21,7 +22,8 @@ constexpr std::size_t kMaxChannels = 64;
 constexpr std::int32_t kMostCoordinate = 1 << 29;
 // What is unpacked at a time: some lines or tiles side by side.
 constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{1} << 28;
-constexpr std::uint64_t kMostLinesOfChunk = 32;
+// By the number of the packing: none, RLE, ZIP of a line, ZIP, PIZ, PXR24, B44 and B44A.
+constexpr std::array<std::uint64_t, 8> kLinesOfChunk = {1, 1, 1, 16, 32, 16, 32, 32};
 
 constexpr std::string_view kDamaged = "the header of the OpenEXR file is damaged";
 
@@ -82,7 +84,7 @@ struct Layout {
     std::vector<Channel> channels{};
     std::uint32_t tile_width = 0;
     std::uint32_t tile_height = 0;
-    std::uint8_t compression = 0;
+    std::uint8_t compression = 3;  // what the library takes if nothing is said
     bool has_window = false;
 };
 
@@ -139,6 +141,9 @@ std::string refusal_of(const Layout& layout, ExrHeader& header) {
         return "it is packed by DWA, which processors unpack to different bits; save it with ZIP "
                "or PIZ";
     }
+    if (layout.compression >= kLinesOfChunk.size()) {
+        return "it is packed in a way that is not known; save it with ZIP or PIZ";
+    }
     if (layout.channels.size() > kMaxChannels) {
         return fmt::format("it has more than {} channels; save its colours alone", kMaxChannels);
     }
@@ -170,8 +175,9 @@ bool is_affordable(const Layout& layout, const ExrHeader& header, std::size_t re
     for (const Channel& channel : layout.channels) pixel_size += channel.type == 1 ? 2 : 4;
     const std::uint64_t width = header.width;
     const std::uint64_t height = header.height;
-    std::uint64_t chunk_bytes = width * kMostLinesOfChunk * pixel_size;
-    std::uint64_t chunk_count = (height + kMostLinesOfChunk - 1) / kMostLinesOfChunk;
+    const std::uint64_t lines = kLinesOfChunk[layout.compression];
+    std::uint64_t chunk_bytes = width * lines * pixel_size;
+    std::uint64_t chunk_count = (height + lines - 1) / lines;
     if (is_tiled) {
         const std::uint64_t tile_width = layout.tile_width;
         const std::uint64_t tile_height = layout.tile_height;

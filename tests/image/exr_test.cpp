@@ -146,6 +146,11 @@ TEST(ExrWrite, EveryBitReadsBack) {
     }
 }
 
+TEST(ExrWrite, TheWidestPictureReadsBack) {
+    const Image image(1 << 20, 17);
+    EXPECT_TRUE(has_same_bits(read_right(written(image, Format::exr)), image));
+}
+
 TEST(ExrWrite, MetadataIsAttributesAndBytesDependOnTheArgumentsAlone) {
     const test::Texts metadata{{"title", "Zo\xc3\xab"}, {"channels", "no"}, {"", "x"}};
     const Image image = random_bits(5, 4, 42);

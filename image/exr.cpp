@@ -25,6 +25,9 @@ namespace {
 
 static_assert(sizeof(Color) == 3 * sizeof(float));
 constexpr std::array<const char*, 3> kChannels = {"R", "G", "B"};
+// Names of other types that a file in lines need not have: as text, readers take them as damage.
+constexpr std::array<std::string_view, 4> kNamesOfFormat = {"chunkCount", "tiles", "type",
+                                                            "version"};
 
 /// A file in memory, as the library reads it.
 class MemoryInput final : public Imf::IStream {
@@ -95,7 +98,8 @@ std::string bytes_of(const Image& image, Metadata metadata) {
     }
     for (const auto& [name, value] : metadata) {
         // The names that the format itself uses have other types.
-        const bool is_free = !name.empty() && header.find(name) == header.end();
+        const bool is_free = !name.empty() && header.find(name) == header.end() &&
+                             std::ranges::find(kNamesOfFormat, name) == kNamesOfFormat.end();
         if (is_free) header.insert(name, Imf::StringAttribute(value));
     }
     MemoryOutput output;

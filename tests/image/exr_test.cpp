@@ -152,13 +152,14 @@ TEST(ExrWrite, TheWidestPictureReadsBack) {
 }
 
 TEST(ExrWrite, MetadataIsAttributesAndBytesDependOnTheArgumentsAlone) {
-    const test::Texts metadata{{"title", "Zo\xc3\xab"}, {"channels", "no"}, {"", "x"}};
+    const test::Texts metadata{
+        {"title", "Zo\xc3\xab"}, {"channels", "no1"}, {"version", "no2"}, {"", "x"}};
     const Image image = random_bits(5, 4, 42);
     const std::string file = written(image, Format::exr, metadata);
     EXPECT_EQ(file, written(image, Format::exr, metadata));
     using namespace std::string_literals;
     EXPECT_NE(file.find("title\0string\0\4\0\0\0Zo\xc3\xab"s), std::string::npos);
-    for (const char* word : {"capDate", "utcOffset", "no\1"}) {
+    for (const char* word : {"capDate", "utcOffset", "no1", "no2"}) {
         EXPECT_EQ(file.find(word), std::string::npos) << word;
     }
     EXPECT_TRUE(has_same_bits(read_right(file), image));

@@ -15,6 +15,7 @@
 #include "image/srgb.h"
 #include "tests/cli/lray_test.h"
 #include "tests/support/virtual_display.h"
+#include "tests/support/wait_until.h"
 
 namespace lray {
 namespace {
@@ -67,15 +68,12 @@ class WindowTest : public LrayTest {
 
     template <class Condition>
     testing::AssertionResult comes_true(Condition condition) {
-        const auto end = std::chrono::steady_clock::now() + 30s;
-        while (std::chrono::steady_clock::now() < end) {
-            if (condition()) return testing::AssertionSuccess();
-            if (!process_->is_running()) {
-                return testing::AssertionFailure() << "it ended: " << process_->err();
-            }
-            std::this_thread::sleep_for(10ms);
-        }
-        return testing::AssertionFailure() << "not within half a minute: " << process_->err();
+        bool is_true = false;
+        test::wait_until([&] { return (is_true = condition()) || !process_->is_running(); }, 10ms);
+        if (is_true) return testing::AssertionSuccess();
+        return testing::AssertionFailure()
+               << (process_->is_running() ? "not within half a minute: " : "it ended: ")
+               << process_->err();
     }
 
     test::ProcessResult quit() {
@@ -89,19 +87,32 @@ class WindowTest : public LrayTest {
                            [](int byte) { return byte != 0; });
     }
 
-    /// Whether the window shows the picture, to the bit.
-    bool shows(const image::Image& picture) {
+    /// Whether the window comes to show the picture, to the bit.
+    testing::AssertionResult comes_to_show(const image::Image& picture) {
+        const testing::AssertionResult result = comes_true([&] { return shows(picture); });
+        if (result) return result;
+        return testing::AssertionFailure() << result.message() << difference(picture);
+    }
+
+    bool shows(const image::Image& picture) { return difference(picture).empty(); }
+
+    /// The first pixel that the window shows otherwise, in words; empty if there is none.
+    std::string difference(const image::Image& picture) {
         const Screenshot shot = display_->screenshot();
         for (std::uint32_t y = 0; y < picture.height; ++y) {
             for (std::uint32_t x = 0; x < picture.width; ++x) {
                 const std::uint8_t* const shown = shot.pixel(x, y);
                 const Color& pixel = picture.at(x, y);
                 for (int channel = 0; channel < 3; ++channel) {
-                    if (shown[channel] != image::srgb_encode_8(pixel[channel])) return false;
+                    const int wanted = image::srgb_encode_8(pixel[channel]);
+                    if (shown[channel] == wanted) continue;
+                    return "pixel " + std::to_string(x) + ", " + std::to_string(y) + ", channel " +
+                           std::to_string(channel) + ": " + std::to_string(shown[channel]) +
+                           " instead of " + std::to_string(wanted);
                 }
             }
         }
-        return true;
+        return {};
     }
 
     /// What the program writes for the same scene, as a PPM picture.
@@ -153,7 +164,7 @@ TEST_F(WindowTest, ShowsThePictureOfTheSameSamplesToTheBit) {
     keys({"i"});
     const image::Image expected =
         rendered({"-n", "2", "-ps", "5", "--size", "200x150", "-i", "scene.lrs"});
-    EXPECT_TRUE(comes_true([&] { return shows(expected); }));
+    EXPECT_TRUE(comes_to_show(expected));
     const auto result = quit();
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "");
@@ -169,7 +180,7 @@ TEST_F(WindowTest, OldOpenGlShowsTheSame) {
         open({"-ps", "2", "--size", "200x150", "scene.lrs"}, {},
              {std::string("MESA_GL_VERSION_OVERRIDE=") + version});
         keys({"i"});
-        EXPECT_TRUE(comes_true([&] { return shows(expected); })) << version;
+        EXPECT_TRUE(comes_to_show(expected)) << version;
         EXPECT_EQ(quit().exit_code, 0);
     }
 }
@@ -179,7 +190,7 @@ TEST_F(WindowTest, SavesWhatItShows) {
     open({"-ps", "3", "--stats=json", "scene.lrs"});
     const image::Image expected = rendered({"-n", "2", "-ps", "3", "scene.lrs"});
     keys({"i"});
-    EXPECT_TRUE(comes_true([&] { return shows(expected); }));
+    EXPECT_TRUE(comes_to_show(expected));
     keys({"p"});
     EXPECT_TRUE(
         comes_true([&] { return std::filesystem::exists(directory_.path("scene-001.png")); }));
@@ -288,7 +299,7 @@ TEST_F(WindowTest, AMistakeIsShownOverThePictureAndToldInTheTerminal) {
     open({"-ps", "2", "scene.lrs"});
     keys({"i"});
     const image::Image good = rendered({"-n", "2", "-ps", "2", "scene.lrs"});
-    EXPECT_TRUE(comes_true([&] { return shows(good); }));
+    EXPECT_TRUE(comes_to_show(good));
     directory_.write("scene.lrs", "sphere { radus: 1 }\n");
     EXPECT_TRUE(comes_true([&] { return contains(process_->err(), "did you mean `radius`?"); }));
     EXPECT_TRUE(comes_true([&] { return !shows(good); }));
@@ -296,7 +307,7 @@ TEST_F(WindowTest, AMistakeIsShownOverThePictureAndToldInTheTerminal) {
     const std::uint8_t* const ball = shot.pixel(200, 205);
     EXPECT_GT(ball[0], 30) << "the old picture is still there, below or beside the panel";
     directory_.write("scene.lrs", kBall);
-    EXPECT_TRUE(comes_true([&] { return shows(good); }));
+    EXPECT_TRUE(comes_to_show(good));
     EXPECT_EQ(quit().exit_code, 0);
 }
 
@@ -337,9 +348,9 @@ TEST_F(WindowTest, ASliderEvaluatesTheSceneAnew) {
     keys({"i"});
     const image::Image one = rendered({"-n", "2", "-ps", "2", "scene.lrs"});
     const image::Image two = rendered({"-n", "2", "-ps", "2", "-D", "count=2", "scene.lrs"});
-    EXPECT_TRUE(comes_true([&] { return shows(one); }));
+    EXPECT_TRUE(comes_to_show(one));
     keys({"shift+Right"});
-    EXPECT_TRUE(comes_true([&] { return shows(two); }));
+    EXPECT_TRUE(comes_to_show(two));
     quit();
 }
 
@@ -348,7 +359,7 @@ TEST_F(WindowTest, ASceneFromStdinIsShown) {
     keys({"i"});
     directory_.write("scene.lrs", kScene);
     const image::Image expected = rendered({"-n", "2", "-ps", "2", "scene.lrs"});
-    EXPECT_TRUE(comes_true([&] { return shows(expected); }));
+    EXPECT_TRUE(comes_to_show(expected));
     EXPECT_EQ(quit().exit_code, 0);
 }
 

@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "scene/lit.h"
 #include "tests/parser/loaded.h"
 #include "tests/support/temp_directory.h"
+#include "tests/support/wait_until.h"
 
 namespace lray::gui {
 inline constexpr Font kFont{.width = 1, .height = 2, .ascent = 1};  // much text has room
@@ -176,13 +176,14 @@ class ViewerTest : public testing::Test {
     /// Ticks until a condition holds, in real time.
     template <class Condition>
     testing::AssertionResult comes_true(Condition condition) {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-        while (std::chrono::steady_clock::now() < end) {
+        const auto tick_and_ask = [&] {
             now_ += 0.002;
             const Tick tick = viewer_->tick(now_);
             if (tick.wanted_size) wanted_size_ = tick.wanted_size;
-            if (condition()) return testing::AssertionSuccess();
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            return condition();
+        };
+        if (test::wait_until(tick_and_ask, std::chrono::milliseconds(2))) {
+            return testing::AssertionSuccess();
         }
         return testing::AssertionFailure() << "not within half a minute";
     }

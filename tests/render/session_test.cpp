@@ -14,6 +14,7 @@
 #include "image/srgb.h"
 #include "render/render.h"
 #include "tests/parser/loaded.h"
+#include "tests/support/wait_until.h"
 
 namespace lray::render {
 namespace {
@@ -89,12 +90,11 @@ image::Image rendered(const PreparedScene& scene, const View& view) {
 template <class Condition>
 testing::AssertionResult reaches(Session& session, Condition condition) {
     Frame frame;
-    const auto end = std::chrono::steady_clock::now() + 60s;
-    while (std::chrono::steady_clock::now() < end) {
+    const auto update_and_ask = [&] {
         session.update(frame);
-        if (condition(session.status())) return testing::AssertionSuccess();
-        std::this_thread::sleep_for(1ms);
-    }
+        return condition(session.status());
+    };
+    if (test::wait_until(update_and_ask, 1ms, 60s)) return testing::AssertionSuccess();
     return testing::AssertionFailure() << "not within a minute";
 }
 
